@@ -10,8 +10,8 @@ const MESHES: [&str; 4] = ["obj", "off", "ply", "stl"];
 
 fn main() -> io::Result<()> {
     let package = Path::new(env!("CARGO_MANIFEST_DIR"));
-    // A published package holds the files themselves, in the workspace links to folders stand in their place. Where a system
-    // has no such links, the workspace has the folders.
+    // A published package holds the files themselves, in the workspace links to folders stand in their place. Where a
+    // system has no such links, the workspace has the folders.
     let inside = package.join("fixtures");
     let fixtures = if inside.join("scenes").is_dir() { inside } else { package.join("../../fixtures") };
     let scenes = list(&fixtures.join("scenes"), &["toml"], "SCENES", "&str", "include_str!", "")?;
@@ -20,8 +20,8 @@ fn main() -> io::Result<()> {
     fs::write(PathBuf::from(out).join("examples.rs"), scenes + &meshes)
 }
 
-/// A constant of the files of a folder with one of these endings, sorted: pages and results that a user has written beside
-/// them are none of the program's. Scenes by their names without the ending, meshes as scenes name them.
+/// A constant of the files of a folder with one of these endings, sorted: pages and results that a user has written
+/// beside them are none of the program's. Scenes by their names without the ending, meshes as scenes name them.
 fn list(
     folder: &Path,
     endings: &[&str],

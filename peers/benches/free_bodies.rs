@@ -1,4 +1,5 @@
-//! Ten thousand free bodies: polhode beside rapier3d-f64, in one run. `cargo bench --manifest-path peers/Cargo.toml --bench free_bodies`.
+//! Ten thousand free bodies: polhode beside rapier3d-f64, in one run.
+//! `cargo bench --manifest-path peers/Cargo.toml --bench free_bodies`.
 //!
 //! | name | what one step of 1/60 s is |
 //! |---|---|
@@ -8,8 +9,8 @@
 //! | `flight records` | all states from the records of their flights |
 //! | `exact drift, chained` | attitudes by the exact rotation from step to step, centres of mass by its formula |
 //!
-//! Times are per step. Before them errors after one second are printed: angle of the attitude and place of the centre of
-//! mass, largest over all bodies, against the exact flight; that itself against DOP853 at a step of 1/240 s.
+//! Times are per step. Before them errors after one second are printed: angle of the attitude and place of the centre
+//! of mass, largest over all bodies, against the exact flight; that itself against DOP853 at a step of 1/240 s.
 
 use criterion::measurement::WallTime;
 use criterion::{BenchmarkGroup, Criterion, criterion_group, criterion_main};

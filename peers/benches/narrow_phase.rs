@@ -1,9 +1,9 @@
 //! Broad and narrow phase against rapier3d-f64's, in one run, on the same shapes, poses and reach.
 //! `cargo bench --manifest-path peers/Cargo.toml --bench narrow_phase`.
 //!
-//! Every scene is a pile that rapier's own solver has settled (so that it is rapier that chose where the bodies lie). From
-//! there every body walks at random by the stated step (m, and rad per metre of size) for [`FRAMES`] frames, which are then
-//! gone through to and fro: what contact detection meets in a pile that settles. Three rows for each scene:
+//! Every scene is a pile that rapier's own solver has settled (so that it is rapier that chose where the bodies lie).
+//! From there every body walks at random by the stated step (m, and rad per metre of size) for [`FRAMES`] frames, which
+//! are then gone through to and fro: what contact detection meets in a pile that settles. Three rows for each scene:
 //!
 //! | row | one step is |
 //! |---|---|
@@ -11,15 +11,15 @@
 //! | `fresh` | the same with `manifold_into` for every pair, nothing kept but buffers |
 //! | `rapier` | `CollisionPipeline::step`: its boxes, tree, pairs and manifolds, caches warm; no solver |
 //!
-//! Setting the poses is not timed on either side, but rapier's step carries them from bodies to colliders. Rapier reuses the
-//! points of a manifold while they slide less than 1 mm and its normals turn less than 1 degree, and cuts a face to four
-//! vertices; polhode evaluates every contact at the given poses and gives all of them.
+//! Setting the poses is not timed on either side, but rapier's step carries them from bodies to colliders. Rapier
+//! reuses the points of a manifold while they slide less than 1 mm and its normals turn less than 1 degree, and cuts a
+//! face to four vertices; polhode evaluates every contact at the given poses and gives all of them.
 //!
-//! Build it without `CARGO_INCREMENTAL`, as is the default: that cuts this crate, but not rapier, into pieces between which
-//! nothing is inlined, and makes it some 8 % slower.
+//! Build it without `CARGO_INCREMENTAL`, as is the default: that cuts this crate, but not rapier, into pieces between
+//! which nothing is inlined, and makes it some 8 % slower.
 //!
-//! On a machine that others use too, the rows of one scene may be measured under different loads: before them rapier and
-//! `persistent` therefore walk in turns, and the ratio of their least times is printed.
+//! On a machine that others use too, the rows of one scene may be measured under different loads: before them rapier
+//! and `persistent` therefore walk in turns, and the ratio of their least times is printed.
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use polhode_contact::{
@@ -334,8 +334,8 @@ fn split(shapes: &[&Shape], frames: &[Vec<Pose>]) {
     println!("of one step: boxes {boxes:.0} us, pairs {pairs:.0} us, contacts {contacts:.0} us");
 }
 
-/// Prints the time of a step of rapier and of the persistent row: each walks all frames in its turn, and the least time of
-/// each counts.
+/// Prints the time of a step of rapier and of the persistent row: each walks all frames in its turn, and the least time
+/// of each counts.
 fn in_turns(what: &str, peer: &mut Peer, shapes: &[&Shape], frames: &[Vec<Pose>]) {
     let (peer, mut ours, frame) = (RefCell::new(peer), Persistent::default(), Cell::new(0));
     let mut least = [Duration::MAX; 2];

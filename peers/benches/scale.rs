@@ -1,12 +1,13 @@
-//! Heaps, walls and towers with friction: polhode's tier `stepped` (or `--tier NAME`) beside rapier3d-f64, in one process on one thread, from the
-//! same states.
+//! Heaps, walls and towers with friction: polhode's tier `stepped` (or `--tier NAME`) beside rapier3d-f64, in one
+//! process on one thread, from the same states.
 //!
 //! ```text
-//! cargo bench --manifest-path peers/Cargo.toml --bench scale [-- [--tier NAME] [--seconds S] [--svg FILE] [--growth] [NAME ...]]
+//! cargo bench --manifest-path peers/Cargo.toml --bench scale \
+//!     [-- [--tier NAME] [--seconds S] [--svg FILE] [--growth] [NAME ...]]
 //! ```
 //!
-//! Both make the steps of a scene (`support/scale/scenes.rs`) until there are as many as it has, or until polhode has taken the
-//! seconds allowed (60); rapier then makes as many. The table is in Markdown; its columns:
+//! Both make the steps of a scene (`support/scale/scenes.rs`) until there are as many as it has, or until polhode has
+//! taken the seconds allowed (60); rapier then makes as many. The table is in Markdown; its columns:
 //!
 //! | column | what |
 //! |---|---|
@@ -18,8 +19,8 @@
 //! | `residual` | of each engine's own impulses, judged by one function (`support/scale/judge.rs`) in every tenth step |
 //! | `factorisations` | of polhode in a step; with the largest residual that it tells itself |
 //!
-//! Rapier's residual, penetration and drift are those of a run with its Coulomb friction at each point and without sleep.
-//! `--growth` measures how the time of a step of polhode grows with the bodies, instead.
+//! Rapier's residual, penetration and drift are those of a run with its Coulomb friction at each point and without
+//! sleep. `--growth` measures how the time of a step of polhode grows with the bodies, instead.
 
 #[path = "support/scale/mod.rs"]
 mod support;

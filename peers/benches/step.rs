@@ -1,8 +1,9 @@
 //! A step of ten thousand free bodies, polhode beside rapier3d-f64 in one run, one after the other in turns:
 //! `cargo bench --manifest-path peers/Cargo.toml --bench step`.
 //!
-//! Both step by 1/60 s for one second, from the same start and under gravity; every body is asymmetric and tumbles. Printed are
-//! the least and the median time of a step over [`ROUNDS`] turns, and the ratios to rapier with one substep.
+//! Both step by 1/60 s for one second, from the same start and under gravity; every body is asymmetric and tumbles.
+//! Printed are the least and the median time of a step over [`ROUNDS`] turns, and the ratios to rapier with one
+//! substep.
 //!
 //! | name | what one step is |
 //! |---|---|
@@ -13,8 +14,8 @@
 //! | `advance_to, bodies` | the same, then [`Simulation::bodies`] |
 //! | `run, a sample a step` | a whole run with a sample at every step, ledger, report and all |
 //!
-//! `points` have no shape and so nothing to collide with; `balls` stand far enough apart never to meet, so that the broad
-//! phase of both works for nothing.
+//! `points` have no shape and so nothing to collide with; `balls` stand far enough apart never to meet, so that the
+//! broad phase of both works for nothing.
 
 use polhode::contact::Shape;
 use polhode::scene::{DEFAULT_GRAVITY, Method};

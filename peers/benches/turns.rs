@@ -1,11 +1,12 @@
-//! Real time beside rapier3d-f64: both engines take turns, step by step, so that a machine that is busy with other work slows both alike.
+//! Real time beside rapier3d-f64: both engines take turns, step by step, so that a machine that is busy with other work
+//! slows both alike.
 //!
 //! ```text
 //! cargo bench --manifest-path peers/Cargo.toml --bench turns [-- [--tier NAME] [--steps N] [--no-look] [NAME ...]]
 //! ```
 //!
-//! Scenes and judge are those of the bench `scale`; one thread, substeps of both by default four, nothing asleep in rapier. Each of the first `--steps` steps
-//! (90) is timed; after every tenth one the bodies are looked at. Columns:
+//! Scenes and judge are those of the bench `scale`; one thread, substeps of both by default four, nothing asleep in
+//! rapier. Each of the first `--steps` steps (90) is timed; after every tenth one the bodies are looked at. Columns:
 //!
 //! | column | what |
 //! |---|---|
@@ -14,7 +15,8 @@
 //! | `drift` | the largest displacement from the start to the end, of the same three; only where the scene can stand |
 //! | `residual` | median, by the judge of both: polhode; rapier with friction at each point |
 //!
-//! `--no-look` leaves out the looks, and the third run. `--alone ours` and `--alone rapier` make the steps of one engine: for counts of instructions.
+//! `--no-look` leaves out the looks, and the third run. `--alone ours` and `--alone rapier` make the steps of one
+//! engine: for counts of instructions.
 
 // Of the helpers that it shares with the bench `scale` it uses a part.
 #![allow(dead_code)]
@@ -125,7 +127,10 @@ fn alone(scene: &Scene, asked: &Asked, engine: &str) -> Result<(), String> {
 
 fn main() {
     let asked = Asked::of_arguments();
-    println!("| scene | steps | step, ms: polhode; rapier; ratio; of the last third | overlap, mm | drift, m | residual |\n|---|---|---|---|---|---|");
+    println!(
+        "| scene | steps | step, ms: polhode; rapier; ratio; of the last third | overlap, mm | drift, m | \
+        residual |\n|---|---|---|---|---|---|"
+    );
     for scene in scenes() {
         if !asked.names.iter().any(|name| scene.name == name) {
             continue;

@@ -1,15 +1,16 @@
-//! A scene in rapier3d-f64: poses, velocities and contact impulses at samples, for `python/same_scenes.py`, which makes the text of
-//! the scene and judges what comes back.
+//! A scene in rapier3d-f64: poses, velocities and contact impulses at samples, for `python/same_scenes.py`, which makes
+//! the text of the scene and judges what comes back.
 //!
 //! ```text
 //! same_scenes STEP ITERATIONS (simplified|coulomb) < SCENE
 //! ```
 //!
 //! Numbers of a line are divided by blanks (SI units, quaternions `w x y z`). Lines of a scene: `run DURATION SAMPLES`,
-//! `material FRICTION RESTITUTION`, `floor` or `wall`, `body SHAPE SIZE(3) MASS MOMENTS(3) POSITION(3) QUATERNION(4) LINEAR(3)
-//! ANGULAR(3)`, `joint A B ANCHOR(3)`: a hinge along y, -1 is the world; bodies of a scene with joints do not collide.
-//! What comes back: `state T BODY` and 13 numbers, `contact T A B POINT(3) NORMAL(3) IMPULSE(3) GAP H BACK`, `wall SECONDS`.
-//! Points and gaps are of the poses before the step, from which the engine took them, `BACK` seconds before the states.
+//! `material FRICTION RESTITUTION`, `floor` or `wall`, `body SHAPE SIZE(3) MASS MOMENTS(3) POSITION(3) QUATERNION(4)
+//! LINEAR(3) ANGULAR(3)`, `joint A B ANCHOR(3)`: a hinge along y, -1 is the world; bodies of a scene with joints do not
+//! collide. What comes back: `state T BODY` and 13 numbers, `contact T A B POINT(3) NORMAL(3) IMPULSE(3) GAP H BACK`,
+//! `wall SECONDS`. Points and gaps are of the poses before the step, from which the engine took them, `BACK` seconds
+//! before the states.
 
 use polhode::spatial::{DVec3, Rotation};
 use rapier3d::prelude::{

@@ -7,5 +7,5 @@
 //! | `step` | rapier3d-f64 | a step of ten thousand bodies, with and without their poses read |
 //! | `mesh_readers` | tobj | files of triangle meshes |
 //!
-//! `cargo bench --manifest-path peers/Cargo.toml --bench NAME`. The package is a workspace of its own: whoever builds or tests
-//! polhode need not compile what it is held against.
+//! `cargo bench --manifest-path peers/Cargo.toml --bench NAME`. The package is a workspace of its own: whoever builds
+//! or tests polhode need not compile what it is held against.

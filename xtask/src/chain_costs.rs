@@ -1,14 +1,16 @@
 //! `cargo xtask chain-costs`: the time of a step of chains, against their length.
 //!
-//! Rods hang from the world and from each other by hinges or ball joints, deflected and at rest at first. Printed is the time of a
-//! step for each length and tier, and the exponent `p` of `T = C n^p`: between each length and the one before, and by least squares
-//! over all of them. The tier `accurate` makes the steps that its error control asks for, at most of that length: the longer a chain the
-//! more, since its upper links are taut and swing faster. The time is that of one of them, with all stages of the integrator.
+//! Rods hang from the world and from each other by hinges or ball joints, deflected and at rest at first. Printed is
+//! the time of a step for each length and tier, and the exponent `p` of `T = C n^p`: between each length and the one
+//! before, and by least squares over all of them. The tier `accurate` makes the steps that its error control asks for,
+//! at most of that length: the longer a chain the more, since its upper links are taut and swing faster. The time is
+//! that of one of them, with all stages of the integrator.
 //!
-//! The time is the least one of some runs of as many steps, so that what else runs on the machine counts little. A length whose
-//! first run takes longer than `--limit` is the last one of its tier.
+//! The time is the least one of some runs of as many steps, so that what else runs on the machine counts little. A
+//! length whose first run takes longer than `--limit` is the last one of its tier.
 //!
-//! Failure: times are those of this machine; long chains leave its caches, which raises the exponent of times above that of the work.
+//! Failure: times are those of this machine; long chains leave its caches, which raises the exponent of times above
+//! that of the work.
 
 use crate::tier_costs::{Measured, fit};
 use clap::Args;

@@ -1,10 +1,10 @@
 //! Child processes: formatting, lints, documentation, tests. Their output is shown when they fail.
 
-use crate::row::Row;
-use crate::snapshot_environment::without_snapshot_environment;
+use polhode_cases::cargo::cargo;
+use polhode_cases::row::Row;
 use std::error::Error;
 use std::path::Path;
-use std::process::{Command, ExitCode, Stdio};
+use std::process::{ExitCode, Stdio};
 
 /// A command that must succeed.
 #[derive(Debug)]
@@ -22,7 +22,8 @@ pub(crate) const CHECKS: &[Check] = &[
         arguments: &["clippy", "--workspace", "--all-targets", "--quiet", "--", "-D", "warnings"],
         environment: &[],
     },
-    // The Python package asks other features of libraries than the rest does: with it, each crate would be compiled twice.
+    // The Python package asks other features of libraries than the rest does: with it, each crate would be compiled
+    // twice.
     Check {
         arguments: &["doc", "--workspace", "--exclude", "polhode-py", "--no-deps", "--quiet"],
         environment: &[("RUSTDOCFLAGS", "-D warnings")],
@@ -31,7 +32,8 @@ pub(crate) const CHECKS: &[Check] = &[
         arguments: &["test", "--workspace", "--exclude", "polhode-py", "--no-fail-fast", "--quiet"],
         environment: &[],
     },
-    // Every crate but those of development can be published: manifests, readmes and versions of what they depend on are complete.
+    // Every crate but those of development can be published: manifests, readmes and versions of what they depend on are
+    // complete.
     Check {
         arguments: &[
             "package",
@@ -40,6 +42,10 @@ pub(crate) const CHECKS: &[Check] = &[
             "xtask",
             "--exclude",
             "strict-hash",
+            "--exclude",
+            "polhode-cases",
+            "--exclude",
+            "polhode-oracles",
             "--exclude",
             "polhode-py",
             "--no-verify",
@@ -105,12 +111,4 @@ pub(crate) fn go_on_with(build: &[&str]) -> Result<ExitCode, Box<dyn Error>> {
         .args(std::env::args_os().skip(1))
         .status()?;
     Ok(if status.success() { ExitCode::SUCCESS } else { ExitCode::FAILURE })
-}
-
-/// The cargo that runs this program, in `root`.
-pub(crate) fn cargo(root: &Path) -> Command {
-    let mut command = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
-    command.current_dir(root);
-    without_snapshot_environment(&mut command);
-    command
 }

@@ -1,5 +1,5 @@
-//! The chart at the head of `docs/accuracy-and-cost.md`: contact, error against time, by every method; the same with one method
-//! highlighted for the page of that method; and the table of their best.
+//! The chart at the head of `docs/accuracy-and-cost.md`: contact, error against time, by every method; the same with
+//! one method highlighted for the page of that method; and the table of their best.
 
 use polhode_view::plot::cost_panels::{CostPanel, CostPanels, PanelBand, PanelCurve};
 use serde_json::Value;
@@ -41,7 +41,8 @@ pub(crate) fn svg(studies: &[ContactStudy<'_>], page: Option<&[&str]>) -> String
     let highlighted = names.filter(stands_out).cloned().collect();
     let chart = CostPanels {
         title: "Where bodies touch: how wrong each method is, and how long it takes".to_owned(),
-        subtitle: "a line is a method from its cheapest setting to its dearest; lower is more accurate, further left is faster"
+        subtitle: "a line is a method from its cheapest setting to its dearest; lower is more accurate, further left \
+            is faster"
             .to_owned(),
         across: "seconds of computing for each simulated second".to_owned(),
         up: "error (1: unrelated to the right motion)".to_owned(),
@@ -64,8 +65,8 @@ fn panel(contact: &ContactStudy<'_>) -> CostPanel {
     CostPanel { title: contact.title.to_owned(), curves: merged(curves), band: band(contact.study) }
 }
 
-/// The tier `thesis` finds forces by its heuristic where nothing else is asked for: with the same errors, setting by setting, both
-/// are one curve.
+/// The tier `thesis` finds forces by its heuristic where nothing else is asked for: with the same errors, setting by
+/// setting, both are one curve.
 fn merged(mut curves: Vec<PanelCurve>) -> Vec<PanelCurve> {
     let place = |name: &str| curves.iter().position(|curve| curve.name == name);
     if let (Some(tier), Some(heuristic)) = (place("thesis"), place("heuristic")) {
@@ -122,7 +123,8 @@ fn candidates(study: &Value) -> impl Iterator<Item = &Value> {
     study["candidates"].as_array().into_iter().flatten()
 }
 
-/// The smallest error of a method, the shortest time that reaches it, and how far its law is from the scene's; or why there is none.
+/// The smallest error of a method, the shortest time that reaches it, and how far its law is from the scene's; or why
+/// there is none.
 fn best(study: &Value, method: &str) -> String {
     let own = methods(study).filter(|candidate| word(candidate, "method") == method);
     let Some(best) = own.min_by(|a, b| error(a).total_cmp(&error(b)).then(seconds(a).total_cmp(&seconds(b)))) else {

@@ -1,12 +1,13 @@
 //! `cargo xtask cost`: figures and tables of `docs/accuracy-and-cost.md`, from scenes that ship.
 //!
-//! The program `polhode cost` does the work, so that a reader gets what is printed here from the same command. Times are
-//! ratios, but they are measured: a run on another machine, or at another hour, changes their last digits. Errors are
-//! the same everywhere.
+//! The program `polhode cost` does the work, so that a reader gets what is printed here from the same command. Times
+//! are ratios, but they are measured: a run on another machine, or at another hour, changes their last digits. Errors
+//! are the same everywhere.
 
 use crate::contact_chart::{self, ContactStudy};
-use crate::{commands, cost_summary, narrow_phase};
+use crate::{cost_summary, narrow_phase};
 use clap::Args;
+use polhode_cases::cargo::cargo;
 use serde_json::Value;
 use std::error::Error;
 use std::fmt::Write as _;
@@ -201,7 +202,7 @@ fn contact(root: &Path, studies: &[(&PageScene, Value)]) -> Result<String, Box<d
 /// Runs the program on a scene.
 fn study(options: &Options, root: &Path, scene: &PageScene, file: &str) -> Result<Value, Box<dyn Error>> {
     let figure = format!("{FIGURES}/cost-{}.svg", scene.name);
-    let mut command: Command = commands::cargo(root);
+    let mut command: Command = cargo(root);
     command.args(["run", "--release", "--quiet", "--package", "polhode-cli", "--", "cost", file, "--json"]);
     command.args(["--svg", &figure, "--target", &TARGET.to_string()]).arg("--budget").arg(options.budget.to_string());
     if let Some(duration_s) = scene.duration_s {
@@ -259,7 +260,8 @@ fn elastic(beside: &Value) -> String {
         return String::new();
     }
     let mut text = format!(
-        "\nThe same drop of an [elastic body](elastic-body.md) at {} m/s leaves {:.0} % of its energy as vibration. It has no gravity,\n\
+        "\nThe same drop of an [elastic body](elastic-body.md) at {} m/s leaves {:.0} % of its energy as vibration. It \
+         has no gravity,\n\
          which would add {} of its speed while it is on the floor.\n\n\
          | body | contact time, s | impulse, N s | effective restitution | computing, s |\n|---|---|---|---|---|\n",
         digits(&beside["speed_m_s"]),
@@ -392,8 +394,8 @@ mod tests {
     use super::*;
     use serde_json::json;
 
-    /// The document is what the command writes: the texts of this file stand in it, and a section and a figure for every scene.
-    /// What is measured is not compared.
+    /// The document is what the command writes: the texts of this file stand in it, and a section and a figure for
+    /// every scene. What is measured is not compared.
     #[test]
     fn the_document_is_that_of_the_command() {
         let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");

@@ -1,8 +1,8 @@
 //! Development tasks of the workspace. `cargo xtask verify` runs everything that a release needs; `cargo xtask cost`
 //! regenerates the figures and tables of `docs/accuracy-and-cost.md`; `cargo xtask gallery` shows the shipped scenes;
-//! `cargo xtask cross` compares the bits of golden trajectories on other platforms;
-//! `cargo xtask licences` writes the licence texts of what a wheel of the Python package contains;
-//! `cargo xtask import-rigid-ipc` takes over scenes of another project's suite.
+//! `cargo xtask house --counts` counts how far the design is kept; `cargo xtask cross` compares the bits of golden
+//! trajectories on other platforms; `cargo xtask licences` writes the licence texts of what a wheel of the Python
+//! package contains; `cargo xtask import-rigid-ipc` takes over scenes of another project's suite.
 //!
 //! | module | holds |
 //! |---|---|
@@ -14,32 +14,20 @@
 //! | [`cross`] | the command: golden trajectories on other platforms, bit by bit |
 //! | [`friction`] | the command: frictional contact problems of other programs |
 //! | [`cost_summary`], [`contact_chart`] | its figures of all scenes, and of contact by every method |
-//! | [`elastic_table`] | the command: impacts of elastic rectangles, and to how many digits |
 //! | [`narrow_phase`] | the command: separating axes against GJK |
-//! | [`house`] | rules of the house, checked from `cargo metadata` and the sources |
+//! | [`house`] | rules and counts of the house, from `cargo metadata` and the sources |
 //! | [`commands`] | child processes: formatting, lints, docs, tests |
-//! | [`interpenetration`] | whether bodies are in each other, without the contact crate |
-//! | [`cases`] | validation cases, one file per group |
-//! | [`exact`] | exact geometry of convex polyhedra, to judge contacts by |
 //! | [`golden`] | golden trajectories |
-//! | [`snapshot_environment`] | what insta is told by its environment |
 //! | [`gallery`] | the command: stills, document and page of all shipped scenes |
-//! | [`random`] | random numbers with a fixed seed |
-//! | [`mod@reference`] | the values that cases are compared with |
-//! | [`row`], [`table`] | one result, and how results are printed |
-//! | [`rigid_ipc`] | the command: scenes of the Rigid IPC suite in our format |
+//! | [`table`] | how results are printed |
 //! | [`chain_costs`] | the command: the time of a step of chains against their length |
 //! | [`tier_costs`] | the command: the processor time of heaps in the tiers, which the plan estimates |
-//! | [`statics`] | static equilibrium of structures of blocks, from their geometry alone |
 //! | [`viewer`] | pages in a real browser |
 //! | [`python`] | the Python package: built, installed, tested |
-//! | [`random_mechanism`] | random mechanisms and small piles, which several tiers compute |
-//! | [`random_scene`] | the commands: random scenes, written and judged |
-//! | [`judge`] | whether the run of a random scene keeps the laws of physics |
+//! | [`findings`] | what historical and approximate methods are known to err by |
 //! | [`known`] | rows that are known to fail, with the reason |
 
 mod book;
-mod cases;
 mod census;
 mod chain_costs;
 mod commands;
@@ -47,33 +35,23 @@ mod contact_chart;
 mod cost;
 mod cost_summary;
 mod cross;
-mod elastic_table;
-mod exact;
+mod findings;
 mod friction;
 mod gallery;
 mod golden;
 mod house;
-mod interpenetration;
-mod judge;
 mod known;
 mod narrow_phase;
 mod python;
-mod random;
-mod random_mechanism;
-mod random_scene;
-mod reference;
-mod rigid_ipc;
-mod row;
-mod scene_units;
 mod schedule;
-mod snapshot_environment;
-mod statics;
 mod table;
 mod tier_costs;
 mod verify;
 mod viewer;
 
 use clap::{Parser, Subcommand};
+use polhode_cases::{elastic_table, random_scenes, rigid_ipc, tiers_agree};
+use polhode_oracles::random_scene;
 use std::process::ExitCode;
 
 /// Development tasks.
@@ -90,6 +68,8 @@ enum Task {
     Verify(verify::Options),
     /// Regenerates figures and tables of docs/accuracy-and-cost.md.
     Cost(cost::Options),
+    /// Checks the rules of the house, or counts how far its design is kept (`--counts`).
+    House(house::Options),
     /// Compares the strict hashes of golden trajectories on x86-64, aarch64 and wasm32.
     Cross(cross::Options),
     /// Writes a scene of the Rigid IPC suite as one of ours, with its meshes beside it.
@@ -113,9 +93,9 @@ enum Task {
     /// Writes the random scene of a seed as a scene file.
     RandomScene(random_scene::Options),
     /// Judges random scenes, and prints a line for each that is not right.
-    JudgeScenes(cases::random_scenes::Options),
+    JudgeScenes(random_scenes::Options),
     /// Judges tiers by each other on random mechanisms, and prints a line for each that is not right.
-    Judge(cases::tiers_agree::Options),
+    Judge(tiers_agree::Options),
 }
 
 impl Task {
@@ -129,6 +109,7 @@ impl Task {
             | Self::TierCosts(_)
             | Self::ChainCosts(_) => true,
             Self::Verify(_)
+            | Self::House(_)
             | Self::Cross(_)
             | Self::ImportRigidIpc(_)
             | Self::Census(_)
@@ -146,6 +127,7 @@ fn main() -> ExitCode {
     let outcome = match task {
         _ if cfg!(debug_assertions) && task.tells_times() => commands::go_on_in_release(),
         Task::Verify(options) => verify::run(&options),
+        Task::House(options) => verify::workspace_root().and_then(|root| house::run(&options, &root)),
         Task::ImportRigidIpc(options) => rigid_ipc::run(&options),
         Task::Cost(options) => verify::workspace_root().and_then(|root| cost::run(&options, &root)),
         Task::Cross(options) => verify::workspace_root().and_then(|root| cross::run(&options, &root)),
@@ -158,8 +140,8 @@ fn main() -> ExitCode {
         Task::Census(options) => census::run(&options),
         Task::ChainCosts(options) => chain_costs::run(&options),
         Task::RandomScene(options) => random_scene::run(&options),
-        Task::JudgeScenes(options) => cases::random_scenes::run(&options),
-        Task::Judge(options) => cases::tiers_agree::run(&options),
+        Task::JudgeScenes(options) => random_scenes::run(&options),
+        Task::Judge(options) => tiers_agree::run(&options),
     };
     match outcome {
         Ok(code) => code,

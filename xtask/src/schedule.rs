@@ -1,28 +1,19 @@
 //! Steps of a verification: what runs beside what, and how long each takes.
 //!
-//! Steps that build run one after the other, the cheapest first: the compiler of a chain of crates leaves processors idle, and cargo
-//! makes a second build wait. All others run beside them and beside each other, one on each processor. Steps that show how long something
-//! takes, or how much memory, run alone when these are done. Rows come in the order of the steps, whichever ends first.
+//! Steps that build run one after the other, the cheapest first: the compiler of a chain of crates leaves processors
+//! idle, and cargo makes a second build wait. All others run beside them and beside each other, one on each processor.
+//! Steps that show how long something takes, or how much memory, run alone when these are done. Rows come in the order
+//! of the steps, whichever ends first.
 
-use crate::known;
-use crate::row::Row;
+use crate::{findings, known};
+use polhode_cases::Company;
+use polhode_cases::row::Row;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Instant;
 
 /// Slowest steps that the table names.
 const SLOWEST: usize = 10;
-
-/// Whether other steps may run at the same time.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Company {
-    /// It shows what something takes: nothing runs at the same time.
-    Alone,
-    /// It builds: no other build runs at the same time.
-    Build,
-    /// Others run beside it.
-    Beside,
-}
 
 /// A step: it gives rows under a name.
 pub(crate) struct Step<'a> {
@@ -51,6 +42,7 @@ impl<'a> Step<'a> {
     fn run(&self) -> Done {
         let start = Instant::now();
         let mut rows = (self.rows)();
+        findings::state(&mut rows);
         known::mark(&mut rows);
         let seconds = start.elapsed().as_secs_f64();
         let failures = rows.iter().filter(|row| row.verdict.fails_the_run()).count();
@@ -116,8 +108,8 @@ fn slowest(mut times: Vec<(f64, &str)>) -> impl Iterator<Item = Row> {
 
 #[cfg(test)]
 mod tests {
-    //! Rows stand in the order of their steps, whatever runs beside what, and the slowest are named. No build runs beside another, and
-    //! nothing beside what runs alone.
+    //! Rows stand in the order of their steps, whatever runs beside what, and the slowest are named. No build runs
+    //! beside another, and nothing beside what runs alone.
     use super::*;
     use std::time::Duration;
 

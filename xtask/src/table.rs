@@ -1,6 +1,6 @@
 //! How results are printed: one table for people, one array of objects for programs.
 
-use crate::row::{Row, Value, Verdict};
+use polhode_cases::row::{Row, Value, Verdict};
 use serde::Serialize;
 use std::fmt::Write as _;
 
@@ -189,7 +189,7 @@ mod tests {
     //! The closing line counts what passed and failed; the JSON has the seven keys that programs rely on.
     #![allow(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
     use super::*;
-    use crate::row::Tolerance;
+    use polhode_cases::row::Tolerance;
 
     #[test]
     fn the_closing_line_counts_what_decides() {

@@ -1,10 +1,10 @@
 //! `cargo xtask tier-costs`: the processor time of heaps in the tiers, and the fit from which the plan estimates it.
 //!
-//! Balls and boxes fall into a bin from random places, with friction 0.5 and without, in more and more. Printed are the time of a
-//! simulated second (s) in tier `accurate` and in tier `stepped`, and of tier `accurate` the constants of
+//! Balls and boxes fall into a bin from random places, with friction 0.5 and without, in more and more. Printed are the
+//! time of a simulated second (s) in tier `accurate` and in tier `stepped`, and of tier `accurate` the constants of
 //! `T = C r^p` by least squares of the logarithms, with the rows of contacts `r` that the plan counts
-//! (`crates/polhode/src/tier/choice.rs`). A run that takes longer than `--limit` is stopped, and its time is that of the part
-//! that it has done, over the time simulated.
+//! (`crates/polhode/src/tier/choice.rs`). A run that takes longer than `--limit` is stopped, and its time is that of
+//! the part that it has done, over the time simulated.
 //!
 //! Failure: times are those of this machine while nothing else runs on it.
 

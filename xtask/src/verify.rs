@@ -1,20 +1,21 @@
 //! `cargo xtask verify`: everything that a release needs, in an order that finds cheap mistakes first.
 //!
 //! 1. rules of the house (seconds), 2. formatting, lints, documentation and tests by cargo, 3. validation cases,
-//! 4. README and book, the Python package, the gallery, 5. golden trajectories and pictures, 6. the viewer in a browser.
+//! 4. README and book, the Python package, the gallery, 5. golden trajectories and pictures, 6. the viewer in a
+//!    browser.
 //!
 //! Every step runs even when an earlier one failed, so that one run shows everything that is
-//! wrong; cases and golden trajectories run beside the builds and each other (`schedule.rs`). Progress goes to stderr, the table (or, with
-//! `--json`, the array) to stdout. `--quick` is for between two edits: formatting, rules, unit tests, one case of each kind
-//! and the golden trajectories.
+//! wrong; cases and golden trajectories run beside the builds and each other (`schedule.rs`). Progress goes to stderr,
+//! the table (or, with `--json`, the array) to stdout. `--quick` is for between two edits: formatting, rules, unit
+//! tests, one case of each kind and the golden trajectories.
 
-use crate::cases::{self, Amount, Context};
-use crate::row::Row;
-use crate::schedule::{self, Company, Step};
-use crate::snapshot_environment::in_snapshot_environment;
+use crate::schedule::{self, Step};
 use crate::table::{self, Counts};
-use crate::{book, commands, gallery, golden, house, python, viewer};
+use crate::{book, commands, gallery, golden, house, known, python, viewer};
 use clap::Args;
+use polhode_cases::row::Row;
+use polhode_cases::snapshot_environment::in_snapshot_environment;
+use polhode_cases::{self as cases, Amount, Company, Context};
 use std::error::Error;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -54,6 +55,13 @@ struct Extent {
     quick: bool,
 }
 
+impl Options {
+    /// Whether all steps run, each with the rows that it has.
+    fn is_of_everything(&self) -> bool {
+        self.only.is_none() && !self.extent.quick && !self.bless
+    }
+}
+
 /// Runs the command.
 ///
 /// # Errors
@@ -70,7 +78,10 @@ pub(crate) fn run(options: &Options) -> Result<ExitCode, Box<dyn Error>> {
     if steps.is_empty() {
         return Err(no_such_case(options, &scenes).into());
     }
-    let rows = schedule::run(&steps);
+    let mut rows = schedule::run(&steps);
+    if options.is_of_everything() {
+        rows.push(known::all_mark_a_row(&rows, amount));
+    }
     print(&rows, options)?;
     let failed = rows.iter().any(|row| row.verdict.fails_the_run());
     Ok(if failed { ExitCode::from(EXIT_FAILED) } else { ExitCode::SUCCESS })

@@ -22,8 +22,8 @@ pub(crate) struct Cli {
 /// Most samples that errors are taken from: they stay in memory, those of several runs at a time.
 const MOST_SAMPLES: i64 = 1_000_000;
 
-const EXIT_CODES: &str = "Exit codes: 0 fine; 1 a check failed, or the run diverged or is degraded (has not kept what its method \
-     promises); 2 usage or a bad scene; 3 input or output; 130 Ctrl-C; 143 SIGTERM.";
+const EXIT_CODES: &str = "Exit codes: 0 fine; 1 a check failed, or the run diverged or is degraded (has not kept what \
+     its method promises); 2 usage or a bad scene; 3 input or output; 130 Ctrl-C; 143 SIGTERM.";
 
 /// What to do.
 #[derive(Debug, Subcommand)]
@@ -78,7 +78,8 @@ pub(crate) enum Command {
 /// A scene and changes to it.
 #[derive(Debug, Args)]
 pub(crate) struct SceneArgs {
-    /// Scene file (TOML) or robot file (.urdf, .xml, .mjcf); `-` reads a scene from stdin, `example:NAME` is a shipped one (`polhode scenes` lists them)
+    /// Scene file (TOML) or robot file (.urdf, .xml, .mjcf); `-` reads a scene from stdin, `example:NAME` is a shipped
+    /// one (`polhode scenes` lists them)
     pub(crate) scene: PathBuf,
     #[command(flatten)]
     pub(crate) changes: ChangeArgs,
@@ -131,8 +132,8 @@ pub(crate) struct RunArgs {
 #[derive(Debug, Args)]
 pub(crate) struct RunOutputArgs {
     /// Writes the trajectory (.csv, .npy, .json), a page that plays it (.html), a model (.glb), a moving picture (.gif,
-    /// .apng, .webp), a picture of the end (.png) or plots over time (.svg); `-` writes CSV to stdout, and the report goes
-    /// to stderr; `resume`: from the checkpoint on (may be given several times)
+    /// .apng, .webp), a picture of the end (.png) or plots over time (.svg); `-` writes CSV to stdout, and the report
+    /// goes to stderr; `resume`: from the checkpoint on (may be given several times)
     #[arg(short, long, value_name = "FILE")]
     pub(crate) output: Vec<PathBuf>,
     /// What is plotted over time, into the .svg files of -o [default with -o FILE.svg: all]
@@ -180,12 +181,12 @@ pub(crate) enum RunPlotArg {
 /// Where and when checkpoints are written.
 #[derive(Debug, Args)]
 pub(crate) struct CheckpointArgs {
-    /// Writes a checkpoint at the first step end after every S seconds of simulated time, at Ctrl-C or SIGTERM, and at the
-    /// end where none was due before; `resume --duration` goes on from there
+    /// Writes a checkpoint at the first step end after every S seconds of simulated time, at Ctrl-C or SIGTERM, and at
+    /// the end where none was due before; `resume --duration` goes on from there
     #[arg(long, value_name = "S", allow_negative_numbers = true)]
     pub(crate) checkpoint_every: Option<f64>,
-    /// Where checkpoints are written, one over the other; alone: at the end and at Ctrl-C [default: the scene file's name with the ending
-    /// .checkpoint, in this folder; for `resume` the checkpoint itself]
+    /// Where checkpoints are written, one over the other; alone: at the end and at Ctrl-C [default: the scene file's
+    /// name with the ending .checkpoint, in this folder; for `resume` the checkpoint itself]
     #[arg(long, value_name = "FILE")]
     pub(crate) checkpoint: Option<PathBuf>,
 }
@@ -195,7 +196,8 @@ pub(crate) struct CheckpointArgs {
 pub(crate) struct ResumeArgs {
     /// Checkpoint of a run; its scene file must stand where it stood
     pub(crate) from: PathBuf,
-    /// Simulated time of the whole run, s, counted from its start: a longer one than before extends a run that has ended
+    /// Simulated time of the whole run, s, counted from its start: a longer one than before extends a run that has
+    /// ended
     #[arg(long, value_name = "S", allow_hyphen_values = true)]
     pub(crate) duration: Option<String>,
     #[command(flatten)]
@@ -209,8 +211,8 @@ pub(crate) struct ResumeArgs {
 pub(crate) struct PlanArgs {
     #[command(flatten)]
     pub(crate) scene: SceneArgs,
-    /// Says how far the bodies at rest are from moving: how far friction may fall, how far the scene may be tilted or its
-    /// bodies pushed, and what begins to move then
+    /// Says how far the bodies at rest are from moving: how far friction may fall, how far the scene may be tilted or
+    /// its bodies pushed, and what begins to move then
     #[arg(long)]
     pub(crate) stability: bool,
     /// Prints the plan as JSON, with the accelerations at t = 0
@@ -227,10 +229,12 @@ pub(crate) struct CostArgs {
     /// Varies a key of the scene over values; several keys give all combinations [default: integrators and steps]
     #[arg(long, value_name = "KEY=VALUE,...")]
     pub(crate) vary: Vec<String>,
-    /// Says why an elastic body cannot be shown beside the impact laws [default: it is shown where the scene is the drop of a box with moduli]
+    /// Says why an elastic body cannot be shown beside the impact laws [default: it is shown where the scene is the
+    /// drop of a box with moduli]
     ///
-    /// Such a scene has one box that falls straight onto a fixed floor, flat or on an edge, without friction, and whose material
-    /// has youngs_modulus_pa and poisson_ratio. Contact time, impulse and effective restitution are computed by finite elements.
+    /// Such a scene has one box that falls straight onto a fixed floor, flat or on an edge, without friction, and whose
+    /// material has youngs_modulus_pa and poisson_ratio. Contact time, impulse and effective restitution are computed
+    /// by finite elements.
     #[arg(long, conflicts_with_all = ["scale", "broad_phase"])]
     pub(crate) elastic: bool,
     /// Compares the broad phases, which find pairs that may touch, on the boxes of one run
@@ -243,8 +247,8 @@ pub(crate) struct CostArgs {
     ///
     /// Ties are the methods that reach it too, and whose time cannot be told from that of the cheapest within the noise
     /// of timing: the ranges that hold the middle half of the rounds' ratios of both overlap. With fewer than three
-    /// rounds the range is 10 % each way. Settings of one method that made the same run, step for step and bit for bit, are
-    /// ties too: the first of them, the coarsest, is named.
+    /// rounds the range is 10 % each way. Settings of one method that made the same run, step for step and bit for bit,
+    /// are ties too: the first of them, the coarsest, is named.
     #[arg(long, value_name = "ERROR", allow_negative_numbers = true)]
     pub(crate) target: Option<f64>,
     /// Counts instructions too, which repeat exactly, and takes them for the cost (needs valgrind)
@@ -279,8 +283,8 @@ pub(crate) struct ViewArgs {
     /// One or two scenes (.toml), or a scene and one or two trajectories of it (.csv, .json, .npy)
     #[arg(required = true, num_args = 1..)]
     pub(crate) files: Vec<PathBuf>,
-    /// Where to: .html, .png, .gif, .apng, .webp or .glb (may be given several times) [default: the first file's name with
-    /// the ending .html, or .png with --still, beside it]
+    /// Where to: .html, .png, .gif, .apng, .webp or .glb (may be given several times) [default: the first file's name
+    /// with the ending .html, or .png with --still, beside it]
     #[arg(short, long, value_name = "FILE")]
     pub(crate) output: Vec<PathBuf>,
     /// Draws a picture of this time, s: --still t=1.5
@@ -295,8 +299,8 @@ pub(crate) struct ViewArgs {
     /// Width and height of pictures, pixels [default: 1280x720; 640x360 for moving pictures]
     #[arg(long, value_name = "WxH")]
     pub(crate) size: Option<String>,
-    /// From where pictures are taken: front, side, top, iso, or the place of the camera, m: --camera 3,-4,2 [default: from the
-    /// front, a little from the right and above]
+    /// From where pictures are taken: front, side, top, iso, or the place of the camera, m: --camera 3,-4,2 [default:
+    /// from the front, a little from the right and above]
     #[arg(long, value_name = "VIEW|X,Y,Z", allow_hyphen_values = true)]
     pub(crate) camera: Option<String>,
     /// What the camera looks at, m: --look-at 0,0,0.5 [default: the middle of what moves]

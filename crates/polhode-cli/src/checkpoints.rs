@@ -56,7 +56,8 @@ impl Checkpoints {
         })
     }
 
-    /// Writes one at the end of a run that had no step end at which one was due, as a run at rest has none; what to say of it.
+    /// Writes one at the end of a run that had no step end at which one was due, as a run at rest has none; what to say
+    /// of it.
     ///
     /// # Errors
     /// As [`Checkpoints::write`].

@@ -1,7 +1,7 @@
 //! `polhode demo`: what the program is for, in one page that needs no words.
 //!
-//! Sixteen bricks without friction are in equilibrium, by so little that the errors of a method decide whether they stand. They are
-//! simulated twice, by the tier `accurate` and by the algorithm of the thesis, and played side by side.
+//! Sixteen bricks without friction are in equilibrium, by so little that the errors of a method decide whether they
+//! stand. They are simulated twice, by the tier `accurate` and by the algorithm of the thesis, and played side by side.
 
 use crate::args::{ChangeArgs, DemoArgs, EffectsArg, ViewArgs};
 use crate::failure::Failure;

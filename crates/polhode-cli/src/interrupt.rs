@@ -1,9 +1,10 @@
 //! Ctrl-C and SIGTERM are acted on within two seconds, wherever the program is.
 //!
 //! At first they end the program at once. While a run makes its steps, or pictures are drawn frame by frame
-//! ([`Interrupt::wait_for_steps`]), the first one ends the work at the end of that step or frame, so that a checkpoint can be
-//! written; a second one, or a step that has not ended [`PATIENCE`] later, ends the program at once. In no case is lost what
-//! was computed: files that hold whole samples are kept under their partial names, and all other temporary files removed.
+//! ([`Interrupt::wait_for_steps`]), the first one ends the work at the end of that step or frame, so that a checkpoint
+//! can be written; a second one, or a step that has not ended [`PATIENCE`] later, ends the program at once. In no case
+//! is lost what was computed: files that hold whole samples are kept under their partial names, and all other temporary
+//! files removed.
 
 use crate::failure::{self, Failure};
 use polhode_scene::Unfinished;
@@ -13,8 +14,8 @@ use std::sync::atomic::{AtomicBool, AtomicU8, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
-/// How long a step or a frame may take to end after the program has been asked to: what is left of the two seconds is for
-/// moving files.
+/// How long a step or a frame may take to end after the program has been asked to: what is left of the two seconds is
+/// for moving files.
 const PATIENCE: Duration = Duration::from_millis(1500);
 
 /// Whether the program has been asked to end, and by what.
@@ -57,8 +58,8 @@ impl Interrupt {
         Ok(Self { asked })
     }
 
-    /// Creates files that a program which ends at once keeps under their partial names: those that `unfinished` names. It
-    /// does not end between their creation and this note of them.
+    /// Creates files that a program which ends at once keeps under their partial names: those that `unfinished` names.
+    /// It does not end between their creation and this note of them.
     ///
     /// # Errors
     /// Those of `create`.
@@ -73,8 +74,8 @@ impl Interrupt {
         Ok(created)
     }
 
-    /// Creates files that a program which ends at once removes, since nobody could open them: those that `temporary` names. It
-    /// does not end between their creation and this note of them.
+    /// Creates files that a program which ends at once removes, since nobody could open them: those that `temporary`
+    /// names. It does not end between their creation and this note of them.
     ///
     /// # Errors
     /// Those of `create`.
@@ -89,8 +90,8 @@ impl Interrupt {
         Ok(created)
     }
 
-    /// Moves files to their names and tells them. The program does not end meanwhile, and afterwards leaves alone the files
-    /// that it was to keep: each is named once, by who has moved it.
+    /// Moves files to their names and tells them. The program does not end meanwhile, and afterwards leaves alone the
+    /// files that it was to keep: each is named once, by who has moved it.
     pub(crate) fn move_kept<T>(&self, move_files: impl FnOnce() -> T) -> T {
         let mut files = self.asked.files();
         let moved = move_files();

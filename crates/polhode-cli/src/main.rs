@@ -31,6 +31,7 @@
 //! | `scene` | loading the scene that a command names |
 //! | `text` | numbers, tables and reports for people |
 //! | `stdout`, `harmless` | writing results; text that does not steer a terminal |
+//! | `drawing` | pictures after a run: PNG and GIF, frame by frame |
 //!
 //! The stages of `polhode run`, in the order of the calls; paths are in `src`. Other commands that take a scene load it
 //! in the same way.

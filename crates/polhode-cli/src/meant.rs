@@ -1,7 +1,8 @@
 //! The command that was meant by one that does not exist.
 //!
-//! clap suggests commands that are alike by the measure of Jaro, for which two letters exchanged in a short word (`rnu`) are
-//! no likeness at all. Here a slip of the pen is a letter too many or too few, another one, or two neighbours exchanged.
+//! clap suggests commands that are alike by the measure of Jaro, for which two letters exchanged in a short word
+//! (`rnu`) are no likeness at all. Here a slip of the pen is a letter too many or too few, another one, or two
+//! neighbours exchanged.
 
 use clap::Command;
 use clap::error::{ContextKind, ContextValue, Error, ErrorKind};

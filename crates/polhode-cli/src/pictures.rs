@@ -240,8 +240,8 @@ fn note_turns(recording: &Recording, path: &Path) {
     };
     let turns = angle / std::f64::consts::TAU;
     failure::remark(&format!(
-        "note: {}: body {body} turns up to {turns:.2} times from frame to frame, and may seem to turn backwards; `polhode \
-         view --fps` with more frames, or a page (.html), shows how it turns",
+        "note: {}: body {body} turns up to {turns:.2} times from frame to frame, and may seem to turn backwards; \
+         `polhode view --fps` with more frames, or a page (.html), shows how it turns",
         path.display()
     ));
 }

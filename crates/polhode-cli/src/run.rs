@@ -85,8 +85,8 @@ fn restored(args: &ResumeArgs, interrupt: &Interrupt) -> Result<Run, Failure> {
     let (reached_s, duration_s) = (simulation.time(), loaded.scene.duration_s());
     if args.duration.is_some() && duration_s <= reached_s {
         let what = format!(
-            "error: --duration {duration_s}: the checkpoint is of t = {reached_s} s already; the duration counts from the \
-             start of the run"
+            "error: --duration {duration_s}: the checkpoint is of t = {reached_s} s already; the duration counts from \
+             the start of the run"
         );
         return Err(Failure::Usage(what));
     }
@@ -219,8 +219,8 @@ impl Run {
         Err((self.report, Failure::Interrupted(said, interrupt.code())))
     }
 
-    /// How far the bodies that rest at the end are from moving, in a line. A report comes without it where they are too many
-    /// for it to be found at once, or it cannot be found.
+    /// How far the bodies that rest at the end are from moving, in a line. A report comes without it where they are too
+    /// many for it to be found at once, or it cannot be found.
     fn stands(&self) -> Option<String> {
         if self.simulation.contacts().len() > MOST_CONTACTS {
             return None;
@@ -255,7 +255,8 @@ impl Run {
     }
 }
 
-/// Goes on to the end, to Ctrl-C, SIGTERM or to a fault of writing; keeps checkpoints and looks at the energies on the way.
+/// Goes on to the end, to Ctrl-C, SIGTERM or to a fault of writing; keeps checkpoints and looks at the energies on the
+/// way.
 fn go_on(
     loaded: &LoadedScene,
     simulation: &mut Simulation,

@@ -135,8 +135,8 @@ pub(crate) fn tell_of_robots(loaded: &LoadedScene) {
     if !(ignored.is_empty() && differ.is_empty()) {
         let (name, differ, ignored) = (loaded.scene.name(), differ.len(), ignored.len());
         failure::remark(&format!(
-            "note: {name}: of what its robot files say {differ} things are simulated otherwise and {ignored} are ignored: `polhode check` \
-             lists them"
+            "note: {name}: of what its robot files say {differ} things are simulated otherwise and {ignored} are \
+             ignored: `polhode check` lists them"
         ));
     }
 }

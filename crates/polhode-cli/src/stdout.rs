@@ -17,7 +17,8 @@ fn raw(text: &str) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Writes one JSON value that was asked for, indented, to stdout. Text of which a reader has seen enough is no mistake; a value that is cut off is no value.
+/// Writes one JSON value that was asked for, indented, to stdout. Text of which a reader has seen enough is no mistake;
+/// a value that is cut off is no value.
 ///
 /// # Errors
 /// When stdout is closed, or is so before the value is written.
@@ -41,8 +42,8 @@ fn closed() -> Failure {
     Failure::InputOutput("error: cannot write the JSON: stdout is closed".to_owned())
 }
 
-/// Whether the program was started without a stdout. The standard library then opens the null device in its place, for reading and writing, as
-/// no shell does that is asked to discard an output; Linux says so, elsewhere it is not known.
+/// Whether the program was started without a stdout. The standard library then opens the null device in its place, for
+/// reading and writing, as no shell does that is asked to discard an output; Linux says so, elsewhere it is not known.
 #[cfg(target_os = "linux")]
 fn was_closed() -> bool {
     /// The bits of the access mode in the flags of an open file, and that of reading and writing.

@@ -4,7 +4,8 @@ use crate::interrupt::Interrupt;
 use crate::progress::Progress;
 use polhode::{BodySample, Event, Flow, Frame, JointSample, Observer};
 
-/// Tells all that a run is watched by, shows progress, and stops the run at Ctrl-C, SIGTERM or when a checkpoint is due.
+/// Tells all that a run is watched by, shows progress, and stops the run at Ctrl-C, SIGTERM or when a checkpoint is
+/// due.
 pub(crate) struct Watch<'a> {
     /// Files and pictures that are written.
     pub(crate) observers: Vec<&'a mut dyn Observer>,

@@ -20,6 +20,7 @@
 //! | [`clearance`] | the tolerances, each relative to the size of the pair |
 //! | [`bounding`] | [`Aabb`], [`aabb_of`], [`swept_aabb`]: boxes around still and moving shapes |
 //! | [`broad_phase`] | [`BroadPhase`], chosen by [`BroadPhaseMethod`]: which pairs may touch |
+//! | `backend` | the one module that names parry3d |
 //!
 //! A program needs to depend on this crate alone: the types in its signatures are exported here, the rest of
 //! polhode-spatial under [`spatial`], that of polhode-mesh under [`mesh`]. A moving body is given by a [`Motion`];

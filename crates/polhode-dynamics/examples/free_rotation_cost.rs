@@ -1,6 +1,6 @@
 //! A hundred thousand free rotations of one kind, for counting instructions exactly:
-//! `valgrind --tool=cachegrind --cache-sim=no target/release/examples/free_rotation_cost KIND H`, where H is the time of
-//! one rotation (s; the body turns at about 1.3 rad/s) and KIND is
+//! `valgrind --tool=cachegrind --cache-sim=no target/release/examples/free_rotation_cost KIND H`, where H is the time
+//! of one rotation (s; the body turns at about 1.3 rad/s) and KIND is
 //!
 //! | kind | what |
 //! |---|---|

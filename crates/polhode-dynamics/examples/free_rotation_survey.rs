@@ -1,8 +1,8 @@
 //! The survey of tests/it/random_rotations.rs at any count:
 //! `cargo run --release -p polhode-dynamics --example free_rotation_survey -- COUNT [LONG_COUNT [KIND]]`.
 //!
-//! COUNT rotations of each kind of body with `|w| h` up to 10 (10,000 take a minute in all), LONG_COUNT with `|w| h` up to
-//! 1000 (a second each: the oracle is slow). Prints the largest errors, the index of the worst case and its numbers.
+//! COUNT rotations of each kind of body with `|w| h` up to 10 (10,000 take a minute in all), LONG_COUNT with `|w| h` up
+//! to 1000 (a second each: the oracle is slow). Prints the largest errors, the index of the worst case and its numbers.
 #![allow(dead_code, reason = "shares the oracle of the tests, of which it needs a part")]
 #![allow(clippy::unwrap_used, reason = "the oracle of the tests may")]
 

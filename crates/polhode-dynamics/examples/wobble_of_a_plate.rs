@@ -1,5 +1,5 @@
-//! A spinning plate thrown up that wobbles: its axis goes round the direction of its angular momentum at the rate `L / I`,
-//! I the moment about a diameter, which is twice as fast as the plate spins (Feynman's plate in the canteen).
+//! A spinning plate thrown up that wobbles: its axis goes round the direction of its angular momentum at the rate `L /
+//! I`, I the moment about a diameter, which is twice as fast as the plate spins (Feynman's plate in the canteen).
 
 use polhode_dynamics::{DVec3, FreeRotation, Rotation};
 use std::f64::consts::PI;

@@ -1,7 +1,7 @@
 //! The state at any time within a step of [`crate::Dop853`]: a polynomial of degree 7 per component.
 //!
-//! The polynomials are those of `dense_polynomial`; their error over the step is of order h^8, as is that of a step; value
-//! and rate at both ends are those of the step.
+//! The polynomials are those of `dense_polynomial`; their error over the step is of order h^8, as is that of a step;
+//! value and rate at both ends are those of the step.
 
 use crate::dense_polynomial::{COEFFICIENTS, NODES, evaluate, fraction, nested};
 use crate::integrated_motion::IntegratedMotion;
@@ -22,8 +22,8 @@ impl DenseStep {
     }
 
     /// The polynomials through a motion's states at eight times of the step (its ends, and between them the extrema of
-    /// Chebyshev's polynomial of degree 7, whose interpolation error is near the least): for a method whose states within
-    /// a step cost a step each. `sample` gives the states of all bodies at a time.
+    /// Chebyshev's polynomial of degree 7, whose interpolation error is near the least): for a method whose states
+    /// within a step cost a step each. `sample` gives the states of all bodies at a time.
     ///
     /// # Errors
     /// Those of `sample`.
@@ -39,8 +39,8 @@ impl DenseStep {
         })
     }
 
-    /// As [`DenseStep::through`], for flat states of any meaning that are smooth over the step; `sample` gives the state at a
-    /// fraction of it, in ascending order from 0 to exactly 1.
+    /// As [`DenseStep::through`], for flat states of any meaning that are smooth over the step; `sample` gives the
+    /// state at a fraction of it, in ascending order from 0 to exactly 1.
     ///
     /// # Errors
     /// Those of `sample`.

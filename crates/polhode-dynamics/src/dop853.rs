@@ -225,8 +225,8 @@ impl Dop853 {
     }
 }
 
-/// `|h| e5^2 / sqrt(n (e5^2 + 0.01 e3^2))` from the squares. Errors so small that their squares vanish are none, and of those so
-/// large that their squares overflow nothing is known.
+/// `|h| e5^2 / sqrt(n (e5^2 + 0.01 e3^2))` from the squares. Errors so small that their squares vanish are none, and of
+/// those so large that their squares overflow nothing is known.
 fn combined(h: f64, fifth: f64, third: f64, n: f64) -> f64 {
     if !third.is_finite() {
         return f64::NAN;

@@ -17,9 +17,9 @@ use std::ops::Range;
 /// The error of the quaternion that an error of the attitude of 1 rad is: its angle is twice the quaternion's.
 const QUATERNION_PER_ANGLE: f64 = 0.5;
 
-/// A quaternion whose length at the end of a step differs from one by more than this (no unit, 1e-4 to 1e-1) is no attitude: motion
-/// keeps the length, so that the step errs by as much, and what its errors are compared with (speeds and loads at its end) is of
-/// no use. Steps that converge change it by 1e-9 at most.
+/// A quaternion whose length at the end of a step differs from one by more than this (no unit, 1e-4 to 1e-1) is no
+/// attitude: motion keeps the length, so that the step errs by as much, and what its errors are compared with (speeds
+/// and loads at its end) is of no use. Steps that converge change it by 1e-9 at most.
 const NO_ATTITUDE: f64 = 1e-3;
 
 /// The error allowed in each quantity of one body over one step; none by default.
@@ -81,8 +81,8 @@ impl LargestError {
         }
     }
 
-    /// Takes in the errors that a method estimates for the body whose state begins at `offset`: NaN where its attitude at the end
-    /// is none.
+    /// Takes in the errors that a method estimates for the body whose state begins at `offset`: NaN where its attitude
+    /// at the end is none.
     pub fn include_body(&mut self, method: &Dop853, offset: usize, allowance: ErrorAllowance) {
         let quaternion = method.end_state().get(offset + QUATERNION..offset + LINEAR_VELOCITY).unwrap_or_default();
         let drift = quaternion.iter().map(|part| part * part).sum::<f64>().sqrt() - 1.0;
@@ -108,8 +108,8 @@ mod tests {
     use crate::{Dop853, System};
     use std::convert::Infallible;
 
-    /// A spin that a stiff torque of drag overshoots within a step leaves a quaternion that is no rotation: the step is refused,
-    /// whatever its errors are compared with.
+    /// A spin that a stiff torque of drag overshoots within a step leaves a quaternion that is no rotation: the step is
+    /// refused, whatever its errors are compared with.
     #[test]
     fn a_step_whose_attitude_is_none_is_refused() {
         let mut flat = vec![0.0; WIDTH];

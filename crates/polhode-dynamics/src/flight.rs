@@ -3,7 +3,8 @@
 //! With `s = t - t0`: `p = p0 + s v0 + s^2 g/2`, `v = v0 + s g`, L constant, and the rotation is exact
 //! ([`crate::exact_rotation`]). A flight is evaluated from its record and never chained from step to step, so that the
 //! motion depends neither on the step nor on what was asked before: the same (record, t) gives the same bits. The
-//! record is replaced only at an impulse or a change of forces. Source: thesis 3.3; docs/ARCHITECTURE.md, flight record.
+//! record is replaced only at an impulse or a change of forces. Source: thesis 3.3; docs/ARCHITECTURE.md, flight
+//! record.
 
 use crate::exact_rotation::Path;
 use crate::{BodyState, FreeRotation, RigidBody};
@@ -74,8 +75,8 @@ impl Flight {
         self.state_from(t, self.rotation.relative(t - self.t0))
     }
 
-    /// Writes the states at `t` (s) of flights into their places among `states`: the bits of [`Flight::state`], in less time
-    /// where there are many. A place that there is not is passed over.
+    /// Writes the states at `t` (s) of flights into their places among `states`: the bits of [`Flight::state`], in less
+    /// time where there are many. A place that there is not is passed over.
     pub fn write_states<'a>(flights: impl Iterator<Item = (usize, &'a Self)>, t: f64, states: &mut [BodyState]) {
         let mut groups = [(Path::Series, Group::default()), (Path::Elliptic, Group::default())];
         for (place, flight) in flights {

@@ -5,16 +5,16 @@
 //! ([`IntegratedMotion::pose_rate`]) differs from that velocity by the error of the interpolation.
 //!
 //! **Bounds.** On a part of the step with middle m and half width r (both in units of the step), each component is
-//! expanded about m, `y = sum c_k s^k` with `|s| <= r`; then `|y| <= sum |c_k| r^k` and `|y'| <= sum k |c_k| r^(k-1)`, with
-//! vector norms for vectors. For the rotation, with `n = |q|^2` and the quaternion product `q' q* = n'/2 + S`, S its vector
-//! part, both polynomials:
+//! expanded about m, `y = sum c_k s^k` with `|s| <= r`; then `|y| <= sum |c_k| r^k` and `|y'| <= sum k |c_k| r^(k-1)`,
+//! with vector norms for vectors. For the rotation, with `n = |q|^2` and the quaternion product `q' q* = n'/2 + S`, S
+//! its vector part, both polynomials:
 //!
 //! ```text
 //! w = 2 S/n,     w' = 2 S'/n - 2 S n'/n^2,     n >= n_0 - sum_(k>0) |n_k| r^k
 //! ```
 //!
-//! The cancellation in S' (nothing for a steady spin) happens in the coefficients, before absolute values are taken. That
-//! `R I^-1 R^T L` may be another angular velocity than w is covered by the defect `D = 2 I vec(q* q') - q* L q`, a
+//! The cancellation in S' (nothing for a steady spin) happens in the coefficients, before absolute values are taken.
+//! That `R I^-1 R^T L` may be another angular velocity than w is covered by the defect `D = 2 I vec(q* q') - q* L q`, a
 //! polynomial of degree 21, bounded once over the whole step: `|R I^-1 R^T L - w| <= max |I^-1 D| / min n`. So `speed`
 //! and `angular_speed` hold for the rate of the pose and for the velocity, `acceleration` for the rates of both,
 //! `angular_acceleration` for the motion of the pose. The bounds shrink to the true values as the interval does.

@@ -4,18 +4,18 @@
 //! is passed: near the separatrix it is all that matters, and 1 - m would have lost its digits. Means
 //! `a' = (a + b)/2, b' = sqrt(a b)` from `(1, sqrt m1)` run until they agree to 1e-8, which makes their mean M exact to
 //! round-off; `K = pi/(2 M)` is the quarter period; the functions are carried back from the circular ones of `M u`.
-//! Source: docs/REFERENCES.md, Bulirsch 1965; Abramowitz and Stegun 16.4, 16.12, 17.6. The argument should be reduced to
-//! `|u| <= K`, where cn and dn keep their relative accuracy. Outside `0 <= m1 <= 1` the results mean nothing; NaN gives
-//! NaN; the means end after a fixed number of levels.
+//! Source: docs/REFERENCES.md, Bulirsch 1965; Abramowitz and Stegun 16.4, 16.12, 17.6. The argument should be reduced
+//! to `|u| <= K`, where cn and dn keep their relative accuracy. Outside `0 <= m1 <= 1` the results mean nothing; NaN
+//! gives NaN; the means end after a fixed number of levels.
 
 use crate::lanes::Lanes;
 use std::f64::consts::FRAC_PI_2;
 
 /// Levels after which the means agree for every double in (0, 1], the least subnormal included (it takes 13).
 const LEVELS: usize = 16;
-/// Levels that are kept: enough for a complement of 1e-4 and more. Nearer to the separatrix, where motions seldom are, the
-/// ladder is made anew at each evaluation, to the same bits: kept in a record for each of many bodies, its room would
-/// drive the rest of them out of the caches.
+/// Levels that are kept: enough for a complement of 1e-4 and more. Nearer to the separatrix, where motions seldom are,
+/// the ladder is made anew at each evaluation, to the same bits: kept in a record for each of many bodies, its room
+/// would drive the rest of them out of the caches.
 const KEPT: usize = 6;
 /// Agreement of the means at which their difference, which is squared at each level, is below round-off.
 const AGREEMENT: f64 = 1e-8;

@@ -1,8 +1,8 @@
 //! Several numbers at once, one in each lane: each lane has the bits that it would have alone.
 //!
-//! Closed forms are chains of divisions and square roots, each of which waits for the one before. Lanes of several bodies do
-//! not wait for each other, and the compiler may put two in one register. Nothing is fused and nothing is reordered within a
-//! lane; a formula stands once, and one lane is the scalar case.
+//! Closed forms are chains of divisions and square roots, each of which waits for the one before. Lanes of several
+//! bodies do not wait for each other, and the compiler may put two in one register. Nothing is fused and nothing is
+//! reordered within a lane; a formula stands once, and one lane is the scalar case.
 
 use std::ops::{Add, Div, Mul, Sub};
 

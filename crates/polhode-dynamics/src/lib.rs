@@ -25,6 +25,9 @@
 //! | [`integrated_motion`] | [`IntegratedMotion`]: one body's motion over a step, with rigorous bounds |
 //! | [`carlson`] | Carlson's symmetric elliptic integrals RF, RJ |
 //! | [`jacobi`] | Jacobi's elliptic functions sn, cn, dn |
+//! | `dense_polynomial` | the polynomial of degree 7 that a component of a state follows within a step |
+//! | `dop853_coefficients` | coefficients of DOP853 |
+//! | `lanes` | several numbers at once, one in each lane |
 //!
 //! This crate is all that a program needs to name: what its signatures speak of is here too, the rest of
 //! polhode-spatial under [`spatial`]. Programs of ten lines stand in the folder `examples` of the crate:

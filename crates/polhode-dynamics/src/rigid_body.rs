@@ -14,8 +14,8 @@ use crate::BodyState;
 use glam::{DMat3, DVec3};
 use polhode_spatial::{Inertia, MassProperties, Pose, PrincipalAxes, Rotation, Velocity};
 
-/// Mass and inertia of a body, with their inverses. The frame C has the axes of the body and its origin at the centre of
-/// mass, or at the pivot.
+/// Mass and inertia of a body, with their inverses. The frame C has the axes of the body and its origin at the centre
+/// of mass, or at the pivot.
 #[derive(Debug, Clone, Copy, PartialEq)]
 // In this order: what velocities and energies are made from stands together, at the front.
 #[repr(C)]
@@ -102,7 +102,8 @@ impl RigidBody {
         state.pose.translation + state.pose.rotation.rotate(self.arm)
     }
 
-    /// Velocity of the centre of mass, m/s, world: without the angular velocity, which only a body with an arm needs for it.
+    /// Velocity of the centre of mass, m/s, world: without the angular velocity, which only a body with an arm needs
+    /// for it.
     pub fn center_of_mass_linear_velocity(&self, state: &BodyState) -> DVec3 {
         if self.arm == DVec3::ZERO { state.linear_velocity } else { self.center_of_mass_velocity(state).linear }
     }

@@ -2,9 +2,9 @@
 //!
 //! Thirteen numbers: position of the centre of mass p (m), quaternion w x y z (body to world), linear velocity v
 //! (m/s), angular momentum L about the centre of mass in world axes (kg m^2/s). Of a pivoted body
-//! ([`crate::RigidBody::pivoted`]) p is the pivot's position, v is zero and L is about the pivot. L rather than the angular velocity,
-//! because free flight conserves it (thesis 3.3, equation 4). The quaternion is stored whole: three of its numbers
-//! and a sign lose half the digits near w = 0 (docs/REFERENCES.md, the thesis's errata).
+//! ([`crate::RigidBody::pivoted`]) p is the pivot's position, v is zero and L is about the pivot. L rather than the
+//! angular velocity, because free flight conserves it (thesis 3.3, equation 4). The quaternion is stored whole: three
+//! of its numbers and a sign lose half the digits near w = 0 (docs/REFERENCES.md, the thesis's errata).
 
 use glam::{DQuat, DVec3};
 use polhode_spatial::{Pose, Rotation, RotationError};
@@ -60,8 +60,8 @@ impl BodyState {
         [p.x, p.y, p.z, qw, qx, qy, qz, v.x, v.y, v.z, l.x, l.y, l.z]
     }
 
-    /// From the flat layout that [`BodyState::to_array`] has given, with the same bits: the quaternion, of length one up to
-    /// rounding, is not normalised once more.
+    /// From the flat layout that [`BodyState::to_array`] has given, with the same bits: the quaternion, of length one
+    /// up to rounding, is not normalised once more.
     ///
     /// # Errors
     /// When the quaternion is not finite or its length is not one.

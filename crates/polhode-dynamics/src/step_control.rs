@@ -1,8 +1,9 @@
 //! Control of the length of steps by an error estimate: one controller for free motion and for motion with contacts.
 //!
 //! A step is attempted with the proposed length. It is accepted when the largest of its errors
-//! ([`crate::error_allowance`], each in units of what is allowed) is at most one; otherwise a shorter one is attempted from the same state. The system
-//! ([`Steps`]) makes the attempts and says what a quantity may err; the control says what the next length is:
+//! ([`crate::error_allowance`], each in units of what is allowed) is at most one; otherwise a shorter one is attempted
+//! from the same state. The system ([`Steps`]) makes the attempts and says what a quantity may err; the control says
+//! what the next length is:
 //!
 //! | attempt | proposed next, of the attempted length h |
 //! |---|---|
@@ -15,7 +16,8 @@
 
 use crate::Dop853;
 
-/// The largest factor for repeating a refused step (dimensionless): one that differs less would mostly be refused again.
+/// The largest factor for repeating a refused step (dimensionless): one that differs less would mostly be refused
+/// again.
 pub const REFUSED_FACTOR: f64 = 0.9;
 
 /// The factor for repeating a step in which the forces could not be evaluated (dimensionless): nothing is known of its

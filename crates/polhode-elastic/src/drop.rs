@@ -1,10 +1,10 @@
 //! A rectangle that drops onto the floor and leaves it again: what a rigid body would be told by a coefficient.
 //!
-//! The rectangle touches the floor at the start, with one side or, tilted, with one corner, and moves against it with the
-//! speed v (m/s). There is no gravity: a contact is short, and what gravity adds in it is of the order of g t / v. The motion
-//! ends when the rectangle has been off the floor for longer than its slowest vibration could bring it back:
-//! `(2 (W + H) + L^2 / B) / c_s` with L the longer and B the shorter side (two passes of shear waves, and a period of bending, which is
-//! 0.97 of `L^2 / (B c)` with c the speed of waves in bars).
+//! The rectangle touches the floor at the start, with one side or, tilted, with one corner, and moves against it with
+//! the speed v (m/s). There is no gravity: a contact is short, and what gravity adds in it is of the order of g t / v.
+//! The motion ends when the rectangle has been off the floor for longer than its slowest vibration could bring it back:
+//! `(2 (W + H) + L^2 / B) / c_s` with L the longer and B the shorter side (two passes of shear waves, and a period of
+//! bending, which is 0.97 of `L^2 / (B c)` with c the speed of waves in bars).
 //!
 //! The velocity of the rebound is momentum over mass, and the angular velocity is angular momentum over the moment of
 //! inertia at rest, so that both are constant while the rectangle vibrates. Quantities are for each metre of depth.
@@ -247,8 +247,8 @@ impl RectangleDrop {
         let [along, up] = self.world_axes();
         let (mass, inertia) = (body.mass(), body.inertia());
         let velocity = momenta.now.linear / mass;
-        // Half a step ago, when the velocities were those of the momenta, the centre of mass was here up to a multiple of its
-        // velocity, which has no moment.
+        // Half a step ago, when the velocities were those of the momenta, the centre of mass was here up to a multiple
+        // of its velocity, which has no moment.
         let spin = momenta.now.angular - moment(body.center_of_mass(run.displacements()), momenta.now.linear);
         let angular_velocity = spin / inertia;
         let corner = self.lowest_corner() - body.center_of_mass(&vec![DVec2::ZERO; body.masses().len()]);

@@ -6,10 +6,10 @@
 //!
 //! **Locking.** The dilatation enters the energy by its mean over the element, `lambda/2 A (mean(tr(U - 1)))^2`: four
 //! separate dilatations would hold a bilinear element fast when the Poisson ratio is near 0.5. The rest of the energy
-//! is integrated in full at the four points, and keeps the modes that have no mean dilatation (hourglass) stiff. Energy and
-//! force stay those of one function. Source: docs/REFERENCES.md, Nagtegaal, Parks and Rice 1974; Hughes 1980. What is left:
-//! bending of an element is too stiff by its shear, by a factor that goes to 1 with the square of its length; Richardson
-//! extrapolation takes that away.
+//! is integrated in full at the four points, and keeps the modes that have no mean dilatation (hourglass) stiff. Energy
+//! and force stay those of one function. Source: docs/REFERENCES.md, Nagtegaal, Parks and Rice 1974; Hughes 1980. What
+//! is left: bending of an element is too stiff by its shear, by a factor that goes to 1 with the square of its length;
+//! Richardson extrapolation takes that away.
 
 use crate::law::Strained;
 use crate::material::ElasticMaterial;

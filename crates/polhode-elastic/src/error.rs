@@ -28,7 +28,8 @@ pub enum ElasticError {
     },
     /// A Poisson ratio that no stable solid has.
     #[error(
-        "Poisson ratio is {value}: it lies between -1 and 0.5, both excluded; for a solid that hardly changes its volume take 0.49"
+        "Poisson ratio is {value}: it lies between -1 and 0.5, both excluded; for a solid that hardly changes its \
+         volume take 0.49"
     )]
     Poisson {
         /// Its value.
@@ -64,7 +65,8 @@ pub enum ElasticError {
     },
     /// An element that is folded where it begins.
     #[error(
-        "element {element} has the Jacobian {jacobian} m^2 at one of its corners: it must be positive everywhere; name corners anticlockwise, and make no corner reflex"
+        "element {element} has the Jacobian {jacobian} m^2 at one of its corners: it must be positive everywhere; name \
+         corners anticlockwise, and make no corner reflex"
     )]
     Folded {
         /// The element.
@@ -74,7 +76,8 @@ pub enum ElasticError {
     },
     /// An element that folds during the motion.
     #[error(
-        "element {element} folds at {t_s} s: the ratio of its volume to that at rest is {ratio}, and must stay positive; lower the speed, or take a stiffer material or a finer mesh"
+        "element {element} folds at {t_s} s: the ratio of its volume to that at rest is {ratio}, and must stay \
+         positive; lower the speed, or take a stiffer material or a finer mesh"
     )]
     Folds {
         /// The element.
@@ -86,7 +89,8 @@ pub enum ElasticError {
     },
     /// A time step that central differences are not stable with.
     #[error(
-        "a step of {step_s} s is beyond the limit of {limit_s} s, above which central differences are unstable: take a shorter one, or fewer elements"
+        "a step of {step_s} s is beyond the limit of {limit_s} s, above which central differences are unstable: take a \
+         shorter one, or fewer elements"
     )]
     StepBeyondLimit {
         /// The step, s.
@@ -110,7 +114,8 @@ pub enum ElasticError {
     },
     /// A rectangle whose slowest vibration takes too long.
     #[error(
-        "the rectangle is {ratio} times as long as it is thin, and may be {most} times: its bending would take too long to watch"
+        "the rectangle is {ratio} times as long as it is thin, and may be {most} times: its bending would take too \
+         long to watch"
     )]
     Slender {
         /// The longer side over the shorter one.
@@ -130,7 +135,8 @@ pub enum ElasticError {
     },
     /// Errors of the integration that are no longer small.
     #[error(
-        "at {t_s} s the time steps have changed the energy by {numerical_j} J, more than {limit_j} J: take a shorter step or a lower speed"
+        "at {t_s} s the time steps have changed the energy by {numerical_j} J, more than {limit_j} J: take a shorter \
+         step or a lower speed"
     )]
     Diverged {
         /// When, s.

@@ -2,12 +2,12 @@
 //!
 //! Richardson extrapolation: with values a_1, a_2, a_3 (the last of the finest mesh) the order of convergence is
 //! `p = log2((a_2 - a_1) / (a_3 - a_2))` and the limit `a_3 + (a_3 - a_2) / (2^p - 1)`. Where the differences have not
-//! the signs and sizes of an order between [`LEAST_ORDER`] and [`MOST_ORDER`] the nearer of the two is taken. The error is
-//! estimated by 1.25 times the distance from the finest value to the limit, the grid convergence index. Four meshes tell more: the
-//! error is then 1.25 times how far the limit moved with the finest mesh, or how far it is from that of order 1, whichever is
-//! larger, so that orders that agree by chance are no digits. Source:
-//! docs/REFERENCES.md, Richardson 1911; Roache 1998. Fails: values that have not come to their order yet (meshes that are too coarse
-//! for contacts that open and close) may be farther off than the estimate.
+//! the signs and sizes of an order between [`LEAST_ORDER`] and [`MOST_ORDER`] the nearer of the two is taken. The error
+//! is estimated by 1.25 times the distance from the finest value to the limit, the grid convergence index. Four meshes
+//! tell more: the error is then 1.25 times how far the limit moved with the finest mesh, or how far it is from that of
+//! order 1, whichever is larger, so that orders that agree by chance are no digits. Source:
+//! docs/REFERENCES.md, Richardson 1911; Roache 1998. Fails: values that have not come to their order yet (meshes that
+//! are too coarse for contacts that open and close) may be farther off than the estimate.
 
 use crate::error::ElasticError;
 

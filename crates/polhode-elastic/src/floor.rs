@@ -1,26 +1,30 @@
 //! A rigid floor without friction, and the law of a node that meets it.
 //!
-//! Central differences move a node by `gap + step u`, with u (m/s) its rate of separation in the step. Where that is below zero,
-//! the node is **held**: an impulse p >= 0 along the normal (N s for each metre of depth) takes it exactly to the floor,
-//! `u+ = -gap / step`. This is the forward-increment multiplier of Carpenter, Taylor and Katona (1991): no penalty stiffness,
-//! and no penetration. Within the step the impact of the node is inelastic: it stops. What its stops have taken of the energy is
-//! remembered, and when no impulse is needed any more it **opens** by the impulse that gives it back.
+//! Central differences move a node by `gap + step u`, with u (m/s) its rate of separation in the step. Where that is
+//! below zero, the node is **held**: an impulse p >= 0 along the normal (N s for each metre of depth) takes it exactly
+//! to the floor, `u+ = -gap / step`. This is the forward-increment multiplier of Carpenter, Taylor and Katona (1991):
+//! no penalty stiffness, and no penetration. Within the step the impact of the node is inelastic: it stops. What its
+//! stops have taken of the energy is remembered, and when no impulse is needed any more it **opens** by the impulse
+//! that gives it back.
 //!
-//! Why: what stops is the lumped mass of a node, half an element of matter, which in truth is stopped by a wave and keeps
-//! its energy. Left lost, it is a part of 1 / (2 rows) of the energy of a flat drop, and the rebound of a confined bar lacks as
-//! much of its impulse; it vanishes with the size of elements to the first order only. Given back at the end, it is exact for the
-//! confined bar: the boundary of d'Alembert's solution stops at once and leaves at once with the speed it came with (the
-//! impact and release conditions of Hughes and others, 1976). A floor that does not move has done no work when a contact has
-//! ended, whatever the mesh, and never has a node more from it than it has given.
+//! Why: what stops is the lumped mass of a node, half an element of matter, which in truth is stopped by a wave and
+//! keeps its energy. Left lost, it is a part of 1 / (2 rows) of the energy of a flat drop, and the rebound of a
+//! confined bar lacks as much of its impulse; it vanishes with the size of elements to the first order only. Given back
+//! at the end, it is exact for the confined bar: the boundary of d'Alembert's solution stops at once and leaves at once
+//! with the speed it came with (the impact and release conditions of Hughes and others, 1976). A floor that does not
+//! move has done no work when a contact has ended, whatever the mesh, and never has a node more from it than it has
+//! given.
 //!
-//! Work of an impulse over central differences is `p (u_before + u_after) / 2`, with the rates in the steps before and after
-//! it: it is exactly what the energy of the ledger changes by. While a node is held it is none.
-//! Source: docs/REFERENCES.md, Carpenter, Taylor and Katona 1991; Hughes, Taylor, Sackman, Curnier and Kanoknukulchai 1976.
+//! Work of an impulse over central differences is `p (u_before + u_after) / 2`, with the rates in the steps before and
+//! after it: it is exactly what the energy of the ledger changes by. While a node is held it is none.
+//! Source: docs/REFERENCES.md, Carpenter, Taylor and Katona 1991; Hughes, Taylor, Sackman, Curnier and
+//! Kanoknukulchai 1976.
 
 use glam::DVec2;
 
-/// The part of the impulse of its last step below which that of a held node is rounding, and the node opens: impulses of held
-/// nodes have relative errors of some 1e-13, and one that falls to 1e-9 from one step to the next falls to zero.
+/// The part of the impulse of its last step below which that of a held node is rounding, and the node opens: impulses
+/// of held nodes have relative errors of some 1e-13, and one that falls to 1e-9 from one step to the next falls to
+/// zero.
 const OPEN_BELOW: f64 = 1e-9;
 
 /// A half space in the axes of the mesh.

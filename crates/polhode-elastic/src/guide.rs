@@ -5,7 +5,7 @@
 pub enum Guide {
     /// In the plane.
     Free,
-    /// Along vertical lines: a confined body in uniaxial strain. A rectangle whose sides stand on rollers and that drops flat
-    /// moves so by itself; here every node has its row, so that rounding cannot grow beside it.
+    /// Along vertical lines: a confined body in uniaxial strain. A rectangle whose sides stand on rollers and that
+    /// drops flat moves so by itself; here every node has its row, so that rounding cannot grow beside it.
     Vertical,
 }

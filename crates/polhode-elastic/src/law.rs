@@ -1,11 +1,11 @@
 //! The law of the material: stress from the deformation gradient, right for any rotation.
 //!
-//! John's harmonic (semi-linear) material: with `F = R U` (R the rotation, U the stretch) the energy of a unit of volume
-//! at rest is `W = mu |U - 1|^2 + lambda/2 (tr(U - 1))^2` and the first Piola-Kirchhoff stress
-//! `P = 2 mu (F - R) + lambda tr(U - 1) R` (Pa). It is linear in the stretches: Hooke's law in a frame that turns with the
-//! material. A rotation changes neither W nor the stresses in that frame, so angular momentum is kept exactly, and in
-//! uniaxial strain it is linear at any amplitude, so that a confined bar has waves of one speed and a closed form to be
-//! held against. In the plane (plane strain: the third stretch is 1) the polar decomposition is closed:
+//! John's harmonic (semi-linear) material: with `F = R U` (R the rotation, U the stretch) the energy of a unit of
+//! volume at rest is `W = mu |U - 1|^2 + lambda/2 (tr(U - 1))^2` and the first Piola-Kirchhoff stress
+//! `P = 2 mu (F - R) + lambda tr(U - 1) R` (Pa). It is linear in the stretches: Hooke's law in a frame that turns with
+//! the material. A rotation changes neither W nor the stresses in that frame, so angular momentum is kept exactly, and
+//! in uniaxial strain it is linear at any amplitude, so that a confined bar has waves of one speed and a closed form to
+//! be held against. In the plane (plane strain: the third stretch is 1) the polar decomposition is closed:
 //! `R = [[a, -w], [w, a]] / d`, `a = F11 + F22`, `w = F21 - F12`, `d = tr U = sqrt(a^2 + w^2)`.
 //!
 //! All is computed from the displacement gradient `H = F - 1` without a difference of numbers near one: small strains

@@ -1,10 +1,10 @@
 //! An elastic rectangle by explicit finite elements, to hold rigid impact laws against (thesis, Figure 2).
 //!
-//! A rigid body is told by a coefficient what an impact leaves of its motion. This crate computes it: a rectangle of elastic
-//! matter in plane strain meets a rigid floor, waves run through it, and it leaves with what of its energy did not stay behind as
-//! vibration. SI units, f64, the same bits everywhere; positions are (x, z), rotation is about y (z towards x), and all that is
-//! extensive is for each metre of depth. Nothing here reads a file, prints or panics. Of polhode it knows the leaf crate alone, and no
-//! crate of the simulation depends on it.
+//! A rigid body is told by a coefficient what an impact leaves of its motion. This crate computes it: a rectangle of
+//! elastic matter in plane strain meets a rigid floor, waves run through it, and it leaves with what of its energy did
+//! not stay behind as vibration. SI units, f64, the same bits everywhere; positions are (x, z), rotation is about y (z
+//! towards x), and all that is extensive is for each metre of depth. Nothing here reads a file, prints or panics. Of
+//! polhode it knows the leaf crate alone, and no crate of the simulation depends on it.
 //!
 //! | module | holds |
 //! |---|---|
@@ -18,6 +18,7 @@
 //! | [`mod@drop`] | [`RectangleDrop`]: from the first touch to the rebound, and its [`DropReport`] |
 //! | [`study`] | [`DropStudy`]: drops by several steps on several meshes |
 //! | [`extrapolation`] | [`Extrapolated`]: values without the error of the mesh |
+//! | `error` | what keeps an elastic body from being made or moved |
 //!
 //! ```
 //! use polhode_elastic::{ElasticMaterial, RectangleDrop};

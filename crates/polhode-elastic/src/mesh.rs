@@ -1,10 +1,10 @@
 //! Meshes of quadrilaterals, with what integrals over an element need.
 //!
-//! An element is bilinear (Q4): positions are interpolated from its four corners over the square [-1, 1]^2. Integrals are
-//! taken by 2 x 2 Gauss points at +-1/sqrt(3), which is full integration: no mode of an element but the rigid ones is
-//! free of energy, so there is no hourglassing. The Jacobian (m^2) is linear over an element, so that it is positive
-//! everywhere when it is so at the corners. Source: docs/REFERENCES.md, Belytschko, Liu and Moran 2000, and Hughes 1987.
-//! Fails: corners named clockwise, reflex corners, and nodes that are not finite are refused.
+//! An element is bilinear (Q4): positions are interpolated from its four corners over the square [-1, 1]^2. Integrals
+//! are taken by 2 x 2 Gauss points at +-1/sqrt(3), which is full integration: no mode of an element but the rigid ones
+//! is free of energy, so there is no hourglassing. The Jacobian (m^2) is linear over an element, so that it is positive
+//! everywhere when it is so at the corners. Source: docs/REFERENCES.md, Belytschko, Liu and Moran 2000, and
+//! Hughes 1987. Fails: corners named clockwise, reflex corners, and nodes that are not finite are refused.
 
 use crate::error::{ElasticError, finite, positive};
 use glam::{DMat2, DVec2};
@@ -16,7 +16,8 @@ pub const MOST_ELEMENTS: usize = 300_000;
 const CORNERS: [DVec2; 4] =
     [DVec2::new(-1.0, -1.0), DVec2::new(1.0, -1.0), DVec2::new(1.0, 1.0), DVec2::new(-1.0, 1.0)];
 
-/// Elements along the side of a patch of a rectangle, at the least: larger ones would move the limit of the step by a per cent.
+/// Elements along the side of a patch of a rectangle, at the least: larger ones would move the limit of the step by a
+/// per cent.
 const PATCH: usize = 4;
 
 /// Where a Gauss point is, in units of its corner: 1/sqrt(3).

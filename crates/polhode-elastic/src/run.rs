@@ -1,18 +1,19 @@
 //! Motion of an elastic body by central differences.
 //!
-//! With displacements u_n (m) at the instants `n dt` and velocities between them: `v_(n+1/2) = v_(n-1/2) + (dt f_n + p_n) / m`,
-//! `u_(n+1) = u_n + dt v_(n+1/2)`, for every node; f (N) are the elastic forces, p (N s) the impulses of the floor and of
-//! the guides. Order two, explicit, reversible; linear and angular momentum are changed by the impulses alone, exactly.
+//! With displacements u_n (m) at the instants `n dt` and velocities between them: `v_(n+1/2) = v_(n-1/2) + (dt f_n +
+//! p_n) / m`, `u_(n+1) = u_n + dt v_(n+1/2)`, for every node; f (N) are the elastic forces, p (N s) the impulses of the
+//! floor and of the guides. Order two, explicit, reversible; linear and angular momentum are changed by the impulses
+//! alone, exactly.
 //!
-//! **Ledger.** The kinetic energy of an instant is `1/2 sum m v_(n-1/2) . v_(n+1/2)` without the impulses of that instant:
-//! with it, kinetic and elastic energy together are exactly constant while the forces are linear, whatever the step. What
-//! remains of a step is `U_(n+1) - U_n + 1/2 (f_n + f_(n+1)) . (u_(n+1) - u_n)`, the error of the trapezoidal rule for the work of
-//! the elastic forces (numerical, of third order in the step), and the work of the floor (lost in contacts). Energy at the start, less
-//! what contacts took, plus what is numerical, is the energy at any time, to rounding.
-//! Source: docs/REFERENCES.md, Belytschko, Liu and Moran 2000; Hairer, Lubich and Wanner 2006.
+//! **Ledger.** The kinetic energy of an instant is `1/2 sum m v_(n-1/2) . v_(n+1/2)` without the impulses of that
+//! instant: with it, kinetic and elastic energy together are exactly constant while the forces are linear, whatever the
+//! step. What remains of a step is `U_(n+1) - U_n + 1/2 (f_n + f_(n+1)) . (u_(n+1) - u_n)`, the error of the
+//! trapezoidal rule for the work of the elastic forces (numerical, of third order in the step), and the work of the
+//! floor (lost in contacts). Energy at the start, less what contacts took, plus what is numerical, is the energy at any
+//! time, to rounding. Source: docs/REFERENCES.md, Belytschko, Liu and Moran 2000; Hairer, Lubich and Wanner 2006.
 //!
-//! Fails: a step beyond the limit of stability is refused; an element that folds, and an energy that the steps change by more
-//! than [`LARGEST_NUMERICAL_PART`], end the motion with an error.
+//! Fails: a step beyond the limit of stability is refused; an element that folds, and an energy that the steps change
+//! by more than [`LARGEST_NUMERICAL_PART`], end the motion with an error.
 
 use crate::body::{ElasticBody, Momentum};
 use crate::error::{ElasticError, finite, positive};
@@ -147,8 +148,8 @@ impl ElasticRun {
     /// Begins from states of the nodes, by steps of this length (s).
     ///
     /// # Errors
-    /// A step that is not positive or beyond the limit, states that are not those of the nodes or not finite, nodes below the
-    /// floor, a folded element.
+    /// A step that is not positive or beyond the limit, states that are not those of the nodes or not finite, nodes
+    /// below the floor, a folded element.
     pub fn new(body: ElasticBody, floor: Option<Floor>, states: NodeStates, step_s: f64) -> Result<Self, ElasticError> {
         let limit_s = body.longest_step_s();
         positive("the time step", "s", step_s)?;

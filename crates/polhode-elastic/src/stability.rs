@@ -1,15 +1,16 @@
 //! The longest stable step of central differences.
 //!
-//! Central differences are stable for `step <= 2 / omega` with omega (1/s) the highest frequency of the mesh. Where a mesh is
-//! the union of patches of elements, each with its share of the masses, no frequency of the whole is above the highest of its
-//! patches (for single elements Irons and Treharne 1971; the proof by Rayleigh quotients is the same). A rectangle
-//! is taken in patches of four to seven elements along a side, any other mesh element by element. That of a patch is
-//! bounded from above by traces of powers of its symmetric matrix A: `omega^2 <= (tr A^n)^(1/n)`, which for n = 2^40 is omega^2
-//! to 1e-11.
+//! Central differences are stable for `step <= 2 / omega` with omega (1/s) the highest frequency of the mesh. Where a
+//! mesh is the union of patches of elements, each with its share of the masses, no frequency of the whole is above the
+//! highest of its patches (for single elements Irons and Treharne 1971; the proof by Rayleigh quotients is the same). A
+//! rectangle is taken in patches of four to seven elements along a side, any other mesh element by element. That of a
+//! patch is bounded from above by traces of powers of its symmetric matrix A: `omega^2 <= (tr A^n)^(1/n)`, which for
+//! n = 2^40 is omega^2 to 1e-11.
 //!
-//! For squares of side h that move along one axis it gives `h / c_p`, the limit of Courant, Friedrichs and Lewy by the dilatational
-//! speed. A free square alone has `h / sqrt(2 (c_p^2 - c_s^2))`, 0.84 of that for nu = 0.3; in patches it is 0.98. Waves
-//! disperse the less the nearer the step is to the limit. Source: docs/REFERENCES.md, Irons and Treharne 1971.
+//! For squares of side h that move along one axis it gives `h / c_p`, the limit of Courant, Friedrichs and Lewy by the
+//! dilatational speed. A free square alone has `h / sqrt(2 (c_p^2 - c_s^2))`, 0.84 of that for nu = 0.3; in patches it
+//! is 0.98. Waves disperse the less the nearer the step is to the limit. Source: docs/REFERENCES.md, Irons and
+//! Treharne 1971.
 //!
 //! Assumes stiffness as it is at rest; that of the harmonic law changes only by the turning of what is under stress.
 

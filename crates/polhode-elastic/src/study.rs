@@ -1,10 +1,10 @@
 //! A drop on meshes that get finer, and what it would be on one that is infinitely fine.
 //!
-//! Nodes open at steps, and where in a step a wave arrives changes with the length of the steps: of a front that meets the
-//! floor this leaves a noise of some parts of a thousand in the rebound. A study drops the rectangle by several step lengths,
-//! spread evenly over [`SHORTEST_PART`] to [`LONGEST_PART`] of the limit, and takes means; their standard error goes with the estimate.
-//! The means of three meshes, each twice as fine as the one before, are extrapolated ([`crate::extrapolation`]). A confined
-//! drop has no such noise, and steps by the limit alone.
+//! Nodes open at steps, and where in a step a wave arrives changes with the length of the steps: of a front that meets
+//! the floor this leaves a noise of some parts of a thousand in the rebound. A study drops the rectangle by several
+//! step lengths, spread evenly over [`SHORTEST_PART`] to [`LONGEST_PART`] of the limit, and takes means; their standard
+//! error goes with the estimate. The means of three meshes, each twice as fine as the one before, are extrapolated
+//! ([`crate::extrapolation`]). A confined drop has no such noise, and steps by the limit alone.
 //!
 //! Fails: quantities that change by jumps with the mesh (the last touch of a body that patters) have errors of the size
 //! of the jumps, which the estimate says.
@@ -15,7 +15,8 @@ use crate::extrapolation::{Extrapolated, Mean};
 use crate::guide::Guide;
 use crate::mesh::Cells;
 
-/// The shortest step of a study, in units of the limit: 6 % are several steps' phase at the end of the shortest contact.
+/// The shortest step of a study, in units of the limit: 6 % are several steps' phase at the end of the shortest
+/// contact.
 pub const SHORTEST_PART: f64 = 0.93;
 
 /// The longest step of a study, in units of the limit: that by which a drop steps by itself.

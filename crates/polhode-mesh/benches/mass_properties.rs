@@ -32,8 +32,8 @@ fn snapped(mesh: &TriangleMesh) -> TriangleMesh {
     TriangleMesh::new(vertices, mesh.triangles().to_vec()).expect("a mesh")
 }
 
-/// Errors of volume and sum of moments of the mesh moved away by `offset`, relative, ours and parry3d's, against ours at
-/// home.
+/// Errors of volume and sum of moments of the mesh moved away by `offset`, relative, ours and parry3d's, against ours
+/// at home.
 fn print_accuracy(mesh: &TriangleMesh, offset: DVec3) {
     let far = mesh.translated(offset).expect("finite");
     let home = VolumeIntegrals::of(mesh);
@@ -42,7 +42,8 @@ fn print_accuracy(mesh: &TriangleMesh, offset: DVec3) {
     let parry = ParryProperties::from_trimesh(1.0, &parry_vertices(&far), far.triangles());
     let moments = parry.principal_inertia();
     println!(
-        "{offset:?}: relative error of the volume: ours {:.1e}, parry3d {:.1e}; of the sum of moments: ours {:.1e}, parry3d {:.1e}",
+        "{offset:?}: relative error of the volume: ours {:.1e}, parry3d {:.1e}; of the sum of moments: ours {:.1e}, \
+         parry3d {:.1e}",
         (ours.volume / home.volume - 1.0).abs(),
         (parry.mass() / home.volume - 1.0).abs(),
         (trace(&ours) / trace(&home) - 1.0).abs(),

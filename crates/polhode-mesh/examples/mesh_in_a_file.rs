@@ -1,4 +1,5 @@
-//! The mesh of a file: what is wrong with it, and the mass properties of the solid that it bounds, here a corner of a cube.
+//! The mesh of a file: what is wrong with it, and the mass properties of the solid that it bounds, here a corner of a
+//! cube.
 
 use polhode_mesh::{DVec3, Mass, SolidMesh, diagnose, format, solid_mass_properties};
 use std::error::Error;

@@ -2,13 +2,18 @@
 //!
 //! Quickhull (docs/REFERENCES.md, Barber et al. 1996) with exact predicates (Shewchuk 1997): a point is outside a face
 //! when the determinant of its four points is positive, not when it exceeds a tolerance. So no point is ever left
-//! outside, plates of any thinness have a hull, and points of one plane make one face however many they are. A corner of
-//! the hull is a point that is no mixture of others: points inside a face or an edge are left out. Points that are
+//! outside, plates of any thinness have a hull, and points of one plane make one face however many they are. A corner
+//! of the hull is a point that is no mixture of others: points inside a face or an edge are left out. Points that are
 //! coplanar only to rounding make faces that differ by rounding; whoever wants those as one merges them by a tolerance.
 //!
 //! The result depends on the points and their order alone. Time grows as n log n, and with
 //! the number of corners: 100,000 points in a cube (205 corners) take 0.05 s, on a sphere (all are corners) 3 s.
 //! Fails by [`HullError`], never by a wrong hull.
+//!
+//! | module | holds |
+//! |---|---|
+//! | `facets` | faces of a hull |
+//! | `quickhull` | Quickhull with exact predicates |
 
 mod facets;
 mod quickhull;

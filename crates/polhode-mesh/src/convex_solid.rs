@@ -1,9 +1,9 @@
 //! Convex solids: meshes that are known to be convex, and the test of a point against their half-spaces.
 //!
-//! A convex solid is the intersection of the half-spaces behind its triangles, so a point that lies in each of them lies
-//! in the solid (thesis 3.2). The test is exact for the triangles as they are in memory. A mesh may be convex only to
-//! [`CONVEXITY_TOLERANCE`](crate::convexity::CONVEXITY_TOLERANCE); then points within its dents count as outside, which
-//! [`PointLocator`](crate::PointLocator) does not do. Cost: one determinant a triangle.
+//! A convex solid is the intersection of the half-spaces behind its triangles, so a point that lies in each of them
+//! lies in the solid (thesis 3.2). The test is exact for the triangles as they are in memory. A mesh may be convex only
+//! to [`CONVEXITY_TOLERANCE`](crate::convexity::CONVEXITY_TOLERANCE); then points within its dents count as outside,
+//! which [`PointLocator`](crate::PointLocator) does not do. Cost: one determinant a triangle.
 
 use crate::point_location::PointLocation;
 use crate::predicates::{side_of_plane, unit_scale};
@@ -13,7 +13,8 @@ use thiserror::Error;
 
 /// A solid whose vertices stand in front of a face's plane.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
-#[error("the solid is not convex: a vertex stands {} m in front of the plane of a face, for a size of {} m", .0.excess, .0.size)]
+#[error("the solid is not convex: a vertex stands {} m in front of the plane of a face, for a size of {} \
+    m", .0.excess, .0.size)]
 pub struct NotConvexError(
     /// How far it is from convex, and where.
     pub Convexity,

@@ -1,9 +1,9 @@
 //! Decimal numbers from bytes, to the nearest f64.
 //!
 //! A number of at most 19 digits whose digits make an integer `m <= 2^53` and whose power of ten is at most 22 is
-//! `m 10^e` or `m / 10^-e`: both operands are exact, so the one rounding is the nearest (docs/REFERENCES.md, Clinger 1990).
-//! That is nearly every coordinate of nearly every file. The rest goes to the standard library, which is right for all;
-//! the grammar is the standard library's (`1.`, `.5`, `+1e-3`, `nan`, `inf`).
+//! `m 10^e` or `m / 10^-e`: both operands are exact, so the one rounding is the nearest (docs/REFERENCES.md, Clinger
+//! 1990). That is nearly every coordinate of nearly every file. The rest goes to the standard library, which is right
+//! for all; the grammar is the standard library's (`1.`, `.5`, `+1e-3`, `nan`, `inf`).
 
 /// Largest power of ten that is an f64 exactly.
 const EXACT_POWERS: [f64; 23] = [

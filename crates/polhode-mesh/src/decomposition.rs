@@ -1,23 +1,33 @@
-//! Exact convex decomposition: a solid as convex parts that fill it and, where its surface does not cross itself, do not
-//! overlap. Crossing is not looked for: of two boxes that overlap both are parts, and the volume is the sum.
+//! Exact convex decomposition: a solid as convex parts that fill it and, where its surface does not cross itself, do
+//! not overlap. Crossing is not looked for: of two boxes that overlap both are parts, and the volume is the sum.
 //!
-//! Binary space partitioning (thesis 2): while a piece has reflex edges (where its material turns through more than half
-//! a turn), a plane through one of them parts it; the piece on each side is treated in the same way (docs/REFERENCES.md,
-//! Chazelle 1984). A plane through a reflex edge resolves it whatever its slope; among the planes of the faces beside
-//! reflex edges and the planes halfway between, the one that resolves most and cuts fewest others is taken. Pieces
-//! that fall apart are parts of their own. Holes like that of a torus and voids need nothing special.
+//! Binary space partitioning (thesis 2): while a piece has reflex edges (where its material turns through more than
+//! half a turn), a plane through one of them parts it; the piece on each side is treated in the same way
+//! (docs/REFERENCES.md, Chazelle 1984). A plane through a reflex edge resolves it whatever its slope; among the planes
+//! of the faces beside reflex edges and the planes halfway between, the one that resolves most and cuts fewest others
+//! is taken. Pieces that fall apart are parts of their own. Holes like that of a torus and voids need nothing special.
 //!
 //! Robust by algebra, not by luck: a face is a plane and a closed chain of edges in it, not a polygon. Cutting adds the
 //! segments along the cutting line that close the chains of the two sides again, and the cap is minus their sum, the
 //! same for both sides with opposite sign. So pieces are watertight and their volumes add up whatever rounding does to
 //! a single sign. A vertex closer to a plane than 16 roundings counts as on it; farther ones have a certain sign.
-//! A part is the exact hull of its vertices ([`ConvexHull`]): certainly convex, certainly closed; its volume is compared
-//! with that of the piece, so that nothing that is not convex passes for it. Both sides of a cut begin with the same vertices on
-//! it, bit by bit.
+//! A part is the exact hull of its vertices ([`ConvexHull`]): certainly convex, certainly closed; its volume is
+//! compared with that of the piece, so that nothing that is not convex passes for it. Both sides of a cut begin with
+//! the same vertices on it, bit by bit.
 //!
 //! The number of parts is not the least possible (that is NP-hard, thesis 2): n reflex edges make n / 2 + 1 parts at
 //! least and about n^2 / 2 at worst. Fails by [`DecompositionError`] when there would be more parts than allowed, and
 //! states the volume error of every answer.
+//!
+//! | module | holds |
+//! |---|---|
+//! | `adjacency` | which faces of a piece meet at which edges, and which of the edges are reflex |
+//! | `chain` | faces as closed chains of directed edges in a plane |
+//! | `choice` | which plane to cut a piece along |
+//! | `cut` | cutting a piece by a plane into the piece in front and the piece behind |
+//! | `faces` | the faces of a solid |
+//! | `grouping` | pieces that have fallen apart |
+//! | `plane` | planes that faces lie in and pieces are cut along |
 
 mod adjacency;
 mod chain;
@@ -36,8 +46,8 @@ use grouping::Group;
 use polhode_spatial::CompensatedSum;
 use thiserror::Error;
 
-/// How close to a plane a vertex counts as lying on it, in roundings of the coordinates: a vertex on an edge that has been
-/// cut a few times is that far off its planes. Between 4 and 1000 the parts hardly change; volumes move by as much
+/// How close to a plane a vertex counts as lying on it, in roundings of the coordinates: a vertex on an edge that has
+/// been cut a few times is that far off its planes. Between 4 and 1000 the parts hardly change; volumes move by as much
 /// times the area, 1e-14 of the size.
 const PLANE_ROUNDINGS: f64 = 16.0;
 
@@ -68,7 +78,8 @@ impl Default for DecompositionSettings {
 pub enum DecompositionError {
     /// There would be more parts than allowed.
     #[error(
-        "the solid has {reflex_edges} reflex edges and needs more than {limit} convex parts: raise the limit, coarsen the mesh, or decompose it approximately"
+        "the solid has {reflex_edges} reflex edges and needs more than {limit} convex parts: raise the limit, coarsen \
+         the mesh, or decompose it approximately"
     )]
     TooManyParts {
         /// The limit.
@@ -78,7 +89,8 @@ pub enum DecompositionError {
     },
     /// The search for planes to cut along would take more comparisons than allowed.
     #[error(
-        "the solid has {triangles} triangles and {reflex_edges} reflex edges, and exact convex parts of it would take too long to find (more than {limit} comparisons): coarsen the mesh, or decompose it approximately"
+        "the solid has {triangles} triangles and {reflex_edges} reflex edges, and exact convex parts of it would take \
+         too long to find (more than {limit} comparisons): coarsen the mesh, or decompose it approximately"
     )]
     TooMuchWork {
         /// The limit.
@@ -105,8 +117,8 @@ pub struct Decomposition {
     pub cuts: usize,
     /// Parts left out because they are flat to rounding.
     pub flat_parts: usize,
-    /// Pieces that are not convex and that no plane could part, with their hulls among the parts: a surface that crosses
-    /// itself may have some, and the volume error tells what they cost.
+    /// Pieces that are not convex and that no plane could part, with their hulls among the parts: a surface that
+    /// crosses itself may have some, and the volume error tells what they cost.
     pub unresolved: usize,
 }
 
@@ -176,8 +188,8 @@ pub fn convex_decomposition(
     Ok(result)
 }
 
-/// Adds the hull of a piece's vertices to the parts; or returns the plane of a face to cut along, when the hull holds more
-/// than the piece although no edge is reflex: then the piece touches itself at a vertex to rounding.
+/// Adds the hull of a piece's vertices to the parts; or returns the plane of a face to cut along, when the hull holds
+/// more than the piece although no edge is reflex: then the piece touches itself at a vertex to rounding.
 fn emit(space: &mut Space, group: &Group, result: &mut Decomposition) -> Option<(u32, Sides)> {
     let points: Vec<DVec3> = chain::vertices(&group.faces).into_iter().map(|v| space.positions[v as usize]).collect();
     let Ok(hull) = ConvexHull::of(&points) else {

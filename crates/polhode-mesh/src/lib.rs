@@ -27,10 +27,20 @@
 //! | [`decomposition`] | [`convex_decomposition`]: convex parts that fill a solid exactly |
 //! | [`point_location`] | [`PointLocator`]: inside, on the surface or outside, exactly |
 //! | [`mod@winding_number`] | [`winding_number()`]: the generalised one, also of open surfaces |
+//! | `defect` | what is wrong with a mesh, by kind |
+//! | `mend` | the mends that repair knows |
+//! | `mesh_builder` | a mesh that is being read |
+//! | `decimal` | decimal numbers from bytes, to the nearest f64 |
+//! | `words` | words of a text file, with their lines |
+//! | `polygon` | polygons to triangles |
+//! | `nesting` | which components of a mesh face the wrong way, given which lie inside which |
+//! | `predicates` | exact signs of determinants, by the crate `robust` |
+//! | `triangle_tree` | a tree of bounding boxes over the triangles of a mesh, for lines along z |
+//! | `write_error` | why a mesh cannot be written |
 //!
 //! This crate is all that a program needs to name: what its signatures speak of is here too, the rest of
-//! polhode-spatial under [`spatial`]. Programs of ten lines stand in the folder `examples` of the crate: `mesh_in_a_file`
-//! (read, diagnose, weigh) and `compose` (a body of parts).
+//! polhode-spatial under [`spatial`]. Programs of ten lines stand in the folder `examples` of the crate:
+//! `mesh_in_a_file` (read, diagnose, weigh) and `compose` (a body of parts).
 //!
 //! ```
 //! use polhode_mesh::{Density, SolidMesh, obj, solid_mass_properties};

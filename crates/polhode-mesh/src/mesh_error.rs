@@ -50,8 +50,8 @@ pub enum MeshError {
     /// The surface does not part space into inside and outside, or is inside out.
     #[error("the mesh bounds no solid: {} (indices count from 0)", list(.0))]
     NotSolid(Vec<Defect>),
-    /// The surface is open along seams, at which vertices are doubled, as textured files have them: merged, they make it a
-    /// solid.
+    /// The surface is open along seams, at which vertices are doubled, as textured files have them: merged, they make
+    /// it a solid.
     #[error(
         "the mesh bounds no solid: {} (indices count from 0); its vertices are doubled at seams, {}",
         list(.defects), seams(*.distance_m)
@@ -64,7 +64,8 @@ pub enum MeshError {
     },
     /// The surface is closed but encloses nothing that rounding of its coordinates could not make.
     #[error(
-        "the mesh encloses a volume of {volume} m^3 under an area of {area} m^2: it is flat, or too small or large for f64"
+        "the mesh encloses a volume of {volume} m^3 under an area of {area} m^2: it is flat, or too small or large for \
+         f64"
     )]
     NoVolume {
         /// Signed volume, m^3.

@@ -20,8 +20,8 @@ use std::array::from_fn;
 use std::ops::{Add, Sub};
 use wide::f64x2;
 
-/// Triangles that are summed side by side: what the smallest vector registers hold. A fixed number, and each lane on its
-/// own: the bits do not depend on the instructions.
+/// Triangles that are summed side by side: what the smallest vector registers hold. A fixed number, and each lane on
+/// its own: the bits do not depend on the instructions.
 const LANES: usize = 2;
 
 /// Triangles that are summed plainly, half of them in each lane: the error of a plain sum of n terms is that of a
@@ -34,8 +34,8 @@ const SAMPLED: usize = 1024;
 /// What a triangle counts for.
 #[derive(Debug, Clone, Copy)]
 enum Weight {
-    /// `b . (c x d)`, formed as `b . (e x f)`: for a small triangle far from the reference point the edges are exact and
-    /// the products do not cancel.
+    /// `b . (c x d)`, formed as `b . (e x f)`: for a small triangle far from the reference point the edges are exact
+    /// and the products do not cancel.
     Determinant,
     /// `|e x f|`, twice its area.
     Area,

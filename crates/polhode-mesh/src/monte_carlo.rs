@@ -1,11 +1,11 @@
-//! Mass properties by the Monte Carlo method, which the thesis names and advises against (3.2): an estimate to set beside
-//! the exact integrals.
+//! Mass properties by the Monte Carlo method, which the thesis names and advises against (3.2): an estimate to set
+//! beside the exact integrals.
 //!
 //! Points are drawn uniformly from the bounding box; those inside the solid stand for its matter. With 1 inside and 0
-//! outside, each point gives the ten numbers `f = 1 (1, x, y, z, x^2, y^2, z^2, yz, xz, xy)` relative to the middle of the box;
-//! their means give volume, centroid and second moment, and their covariance C the standard error of each: to first
-//! order a quantity is `a . mean(f)` with an `a` of its own, and its error `sqrt(a . C a / N)`. The second moment is stationary
-//! in the centroid, so the error of the latter adds nothing to it in first order.
+//! outside, each point gives the ten numbers `f = 1 (1, x, y, z, x^2, y^2, z^2, yz, xz, xy)` relative to the middle of
+//! the box; their means give volume, centroid and second moment, and their covariance C the standard error of each: to
+//! first order a quantity is `a . mean(f)` with an `a` of its own, and its error `sqrt(a . C a / N)`. The second moment
+//! is stationary in the centroid, so the error of the latter adds nothing to it in first order.
 //!
 //! The error falls with `N^(-1/2)`: each further digit costs a hundred times as many points (case MP-10).
 

@@ -5,11 +5,11 @@
 //! void (negative volume) needs w = 1. So a lone component of negative volume is inside out, and so is one of positive
 //! volume inside another: its material would count twice.
 //!
-//! The winding number is the sum of the signed solid angles of the triangles over 4 pi (docs/REFERENCES.md, Van Oosterom
-//! and Strackee 1983): `tan(omega / 2) = a . (b x c) / (abc + (a . b) c + (b . c) a + (c . a) b)`. It is exact to rounding away from
-//! the surface. A point on the surface of another component, where parts touch, has half a winding number: the triangle
-//! it lies on is given the angle 0 between its two sides. Then another point decides, the clearest of a few.
-//! Cost: components times the triangles of the components whose bounding boxes hold them.
+//! The winding number is the sum of the signed solid angles of the triangles over 4 pi (docs/REFERENCES.md, Van
+//! Oosterom and Strackee 1983): `tan(omega / 2) = a . (b x c) / (abc + (a . b) c + (b . c) a + (c . a) b)`. It is exact
+//! to rounding away from the surface. A point on the surface of another component, where parts touch, has half a
+//! winding number: the triangle it lies on is given the angle 0 between its two sides. Then another point decides, the
+//! clearest of a few. Cost: components times the triangles of the components whose bounding boxes hold them.
 
 use crate::surface_integrals::triangle_area;
 use crate::topology::{Component, Topology};
@@ -112,7 +112,8 @@ fn inverted(mesh: &TriangleMesh, shells: &[Shell<'_>]) -> Vec<bool> {
     result
 }
 
-/// For each shell the others whose bounding boxes hold its own, found in one sweep along x: only they can wind around it.
+/// For each shell the others whose bounding boxes hold its own, found in one sweep along x: only they can wind around
+/// it.
 fn holders<'s, 'a>(shells: &'s [Shell<'a>]) -> Vec<(usize, Vec<&'s Shell<'a>>)> {
     let mut order: Vec<usize> = (0..shells.len()).collect();
     // Where two begin together, the one that ends later comes first, so that it is open when the other is met.

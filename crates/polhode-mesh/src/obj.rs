@@ -3,9 +3,9 @@
 //! Read are `v x y z` and `f` with `v`, `v/t`, `v//n`, `v/t/n`; a polygon becomes the fan of triangles from its first
 //! vertex, or is cut by ears where that is wrong because it is not convex. Indices count from 1,
 //! negative ones back from the last vertex; a positive one may name a vertex that comes later. Ignored are texture
-//! coordinates, normals, groups, materials, points, lines and comments; weights and colours after `x y z` are checked to
-//! be numbers and ignored. Free-form curves and surfaces, which would be missing from the solid, are refused, and so is
-//! every keyword the format does not have. A `\` at the end of a line joins it to the next, except in comments.
+//! coordinates, normals, groups, materials, points, lines and comments; weights and colours after `x y z` are checked
+//! to be numbers and ignored. Free-form curves and surfaces, which would be missing from the solid, are refused, and so
+//! is every keyword the format does not have. A `\` at the end of a line joins it to the next, except in comments.
 //!
 //! One pass over the bytes that stops at the first bad token; memory is that of the mesh. Bytes that are not UTF-8 are
 //! fine in comments and names. Source: docs/REFERENCES.md, Wavefront, Advanced Visualizer manual, appendix B1.

@@ -2,9 +2,9 @@
 //!
 //! A header `OFF`, or with `ST`, `C`, `N` before it for texture coordinates, colours and normals after the position of
 //! each vertex; the numbers of vertices, faces and edges; then a line for each vertex, which begins with x, y, z, and
-//! for each face, which begins with its number of corners and their indices, from 0. What follows in these lines must be
-//! numbers and is ignored (normals, colours). Comments begin with `#`. Polygons are cut as in [`obj`](mod@crate::obj).
-//! Not read are `4OFF` and `nOFF`, which are not of this space, and `OFF BINARY`.
+//! for each face, which begins with its number of corners and their indices, from 0. What follows in these lines must
+//! be numbers and is ignored (normals, colours). Comments begin with `#`. Polygons are cut as in
+//! [`obj`](mod@crate::obj). Not read are `4OFF` and `nOFF`, which are not of this space, and `OFF BINARY`.
 //! Source: docs/REFERENCES.md, Geomview.
 
 use crate::mesh_builder::MeshBuilder;

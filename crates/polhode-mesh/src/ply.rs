@@ -1,10 +1,16 @@
 //! PLY, text and binary of either byte order, from and to bytes.
 //!
-//! A header names elements and their properties in the order in which they follow. Read are `x`, `y`, `z` of `vertex`, of
-//! any type, and the list `vertex_indices` or `vertex_index` of `face`, of any integer type; all other properties and
-//! elements are passed over. In text every row is a line, and numbers are read to the nearest f64 whatever type the
+//! A header names elements and their properties in the order in which they follow. Read are `x`, `y`, `z` of `vertex`,
+//! of any type, and the list `vertex_indices` or `vertex_index` of `face`, of any integer type; all other properties
+//! and elements are passed over. In text every row is a line, and numbers are read to the nearest f64 whatever type the
 //! header names. Polygons are cut as in [`obj`](mod@crate::obj). Nothing is reserved by a number in the header alone,
 //! so that a false one costs nothing. Source: docs/REFERENCES.md, Turk 1994.
+//!
+//! | module | holds |
+//! |---|---|
+//! | `header` | the header of a file |
+//! | `rows` | its body, row by row |
+//! | `writer` | files from meshes |
 
 mod header;
 mod rows;

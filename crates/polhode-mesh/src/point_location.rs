@@ -1,11 +1,11 @@
 //! Whether a point lies inside a solid, on its surface or outside, exactly.
 //!
 //! The winding number of a closed surface around a point is the number of triangles that a ray from the point leaves
-//! through, less those that it enters through. The ray runs along +z. Which triangles it meets and whether they lie above
-//! the point is decided by the exact signs of determinants (docs/REFERENCES.md, Shewchuk 1997), so the answer is that
-//! of exact arithmetic on the coordinates in memory. A ray through an edge or a vertex is moved sideways by (e, e^2) for an
-//! infinitely small e (docs/REFERENCES.md, Edelsbrunner and Muecke 1990), which only breaks ties; a point in a triangle
-//! is on the surface, and is found before.
+//! through, less those that it enters through. The ray runs along +z. Which triangles it meets and whether they lie
+//! above the point is decided by the exact signs of determinants (docs/REFERENCES.md, Shewchuk 1997), so the answer is
+//! that of exact arithmetic on the coordinates in memory. A ray through an edge or a vertex is moved sideways by (e,
+//! e^2) for an infinitely small e (docs/REFERENCES.md, Edelsbrunner and Muecke 1990), which only breaks ties; a point
+//! in a triangle is on the surface, and is found before.
 //!
 //! The number is 1 in the material, 0 outside and in voids, and above 1 where parts of a mesh overlap. Time of a query:
 //! about the logarithm of the number of triangles (a tree of bounding boxes).

@@ -1,8 +1,8 @@
 //! Exact signs: on which side of a line or plane a point lies, for the coordinates as they are in memory.
 //!
 //! Shewchuk's adaptive predicates (docs/REFERENCES.md, Shewchuk 1997), in the `robust` crate: a determinant in plain
-//! f64 with a bound on its error, computed to more digits only when its sign is in doubt. They are exact unless a product
-//! of coordinates over- or underflows, so points are first brought near one by [`unit_scale`], a power of two.
+//! f64 with a bound on its error, computed to more digits only when its sign is in doubt. They are exact unless a
+//! product of coordinates over- or underflows, so points are first brought near one by [`unit_scale`], a power of two.
 
 use glam::{DVec2, DVec3};
 use robust::{Coord, Coord3D};

@@ -42,7 +42,8 @@ pub(crate) const MAX_VERTEX_NUMBERS: usize = 7;
 pub enum ReadErrorKind {
     /// OBJ: a line begins with a word that the format does not have, or that makes free-form geometry.
     #[error(
-        "'{0}' is no statement of a polygon mesh; accepted are v and f, and ignored vt, vn, g, o, s, usemtl, mtllib, l, p and comments"
+        "'{0}' is no statement of a polygon mesh; accepted are v and f, and ignored vt, vn, g, o, s, usemtl, mtllib, \
+         l, p and comments"
     )]
     UnknownStatement(String),
     /// A coordinate is not a number.
@@ -56,7 +57,8 @@ pub enum ReadErrorKind {
     BadCount(String),
     /// OBJ: a `v` has fewer than three or more than seven numbers.
     #[error(
-        "a vertex has 3 coordinates (and at most a weight and a colour, {MAX_VERTEX_NUMBERS} numbers), found {0} numbers"
+        "a vertex has 3 coordinates (and at most a weight and a colour, {MAX_VERTEX_NUMBERS} numbers), found {0} \
+         numbers"
     )]
     VertexNumbers(usize),
     /// OFF: the line of a vertex has fewer than three numbers.
@@ -166,8 +168,8 @@ pub enum ReadErrorKind {
 /// Most characters of a token that an error repeats.
 pub const MAX_TOKEN: usize = 40;
 
-/// A token as text, with at most [`MAX_TOKEN`] characters; control characters and bytes that are not UTF-8 are replaced,
-/// so that it can be shown.
+/// A token as text, with at most [`MAX_TOKEN`] characters; control characters and bytes that are not UTF-8 are
+/// replaced, so that it can be shown.
 pub(crate) fn shown(token: &[u8]) -> String {
     // A character has at most four bytes.
     let head = &token[..token.len().min(4 * MAX_TOKEN)];

@@ -3,8 +3,8 @@
 //! Thesis 3.2 splits a solid into tetrahedra between a reference point and the triangles, and names three choices: the
 //! origin of the model ("often a good choice"), the average of the vertices ("a better choice"), the centre of mass.
 //! Here its sums are formed plainly, and the second moment is shifted to the centre of mass by the theorem of parallel
-//! axes. In exact arithmetic the point does not matter; in f64 the error grows with the cube (volume) to the fifth power
-//! (inertia) of its distance in sizes of the body (erratum E5), which is what [`compare_reference_points`] shows.
+//! axes. In exact arithmetic the point does not matter; in f64 the error grows with the cube (volume) to the fifth
+//! power (inertia) of its distance in sizes of the body (erratum E5), which is what [`compare_reference_points`] shows.
 //! Results are for comparison; [`VolumeIntegrals::of`] and [`SurfaceIntegrals::of`] choose a point themselves.
 
 use crate::{SurfaceIntegrals, TriangleMesh, VolumeIntegrals};

@@ -12,8 +12,15 @@
 //! | [`DropUnused`](Repair::DropUnused) | drops vertices that no triangle uses | |
 //!
 //! A mesh that bounds a solid keeps its triangles, for only the harmless defects are mended then and welding is for
-//! open edges alone. No vertex moves. Not looked for are surfaces that cross themselves, so a filled hole may be where a
-//! modeller meant an opening: the volume before and after says what it did.
+//! open edges alone. No vertex moves. Not looked for are surfaces that cross themselves, so a filled hole may be where
+//! a modeller meant an opening: the volume before and after says what it did.
+//!
+//! | module | holds |
+//! |---|---|
+//! | `degenerate` | triangles that repeat another, and triangles without area |
+//! | `holes` | closing of holes |
+//! | `orientation` | which way round triangles run |
+//! | `report` | what repair did and what is left |
 
 mod degenerate;
 mod holes;
@@ -58,8 +65,8 @@ impl Default for RepairOptions {
 /// ```
 ///
 /// # Errors
-/// [`MeshError::Tolerance`] and [`MeshError::HoleSize`] for options out of their range; [`MeshError::Empty`] when nothing
-/// but degenerate triangles was there.
+/// [`MeshError::Tolerance`] and [`MeshError::HoleSize`] for options out of their range; [`MeshError::Empty`] when
+/// nothing but degenerate triangles was there.
 pub fn repair(mesh: &TriangleMesh, options: &RepairOptions) -> Result<(TriangleMesh, RepairReport), MeshError> {
     if !(0.0..=1.0).contains(&options.largest_hole) {
         return Err(MeshError::HoleSize(options.largest_hole));
@@ -118,8 +125,8 @@ impl Bench {
         }
     }
 
-    /// Takes over a welded mesh when it is nearer to a solid: fewer edges that are not those of two triangles in opposite
-    /// directions.
+    /// Takes over a welded mesh when it is nearer to a solid: fewer edges that are not those of two triangles in
+    /// opposite directions.
     fn weld(&mut self, welded: TriangleMesh, merged: usize) {
         let faults = |diagnosis: &Diagnosis| -> usize {
             let kinds = [DefectKind::OpenEdge, DefectKind::NonManifoldEdge, DefectKind::InconsistentWinding];

@@ -62,11 +62,13 @@ impl SolidMesh {
     }
 }
 
-/// Distances within which doubled vertices are looked for, in powers of ten of the mesh's diagonal: from the rounding of
-/// numbers of ten digits to the thickness of a line in a drawing of the mesh. Larger ones would merge what is drawn apart.
+/// Distances within which doubled vertices are looked for, in powers of ten of the mesh's diagonal: from the rounding
+/// of numbers of ten digits to the thickness of a line in a drawing of the mesh. Larger ones would merge what is drawn
+/// apart.
 const SEAM_POWERS: std::ops::RangeInclusive<i32> = -10..=-4;
 
-/// The distance (m) within which vertices must be merged to make a solid of an open mesh; none where that does not mend it.
+/// The distance (m) within which vertices must be merged to make a solid of an open mesh; none where that does not mend
+/// it.
 fn seams(mesh: &TriangleMesh, defects: &[Defect]) -> Option<f64> {
     if !defects.iter().any(|defect| defect.kind == DefectKind::OpenEdge) {
         return None;

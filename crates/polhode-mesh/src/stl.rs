@@ -9,6 +9,12 @@
 //! Else it is text when it begins with `solid` and has no zero byte within its first [`LOOKED_AT`] bytes, and a binary
 //! file of the wrong length otherwise. Binary coordinates are f32, text ones are read to the nearest f64.
 //! Source: docs/REFERENCES.md, Burns 1993.
+//!
+//! | module | holds |
+//! |---|---|
+//! | `binary` | binary files |
+//! | `normal` | the normal that a file gives each of its triangles |
+//! | `text` | files of text |
 
 mod binary;
 mod normal;
@@ -25,7 +31,8 @@ pub const LOOKED_AT: usize = 1024;
 /// Reads a mesh from the bytes of an STL file of either kind.
 ///
 /// ```
-/// let text = b"solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid";
+/// let text = b"solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n\
+///              endloop\nendfacet\nendsolid";
 /// let mesh = polhode_mesh::stl::read(text)?;
 /// assert_eq!(mesh.triangles(), [[0, 1, 2]]);
 /// assert_eq!(polhode_mesh::stl::read(&polhode_mesh::stl::write_binary(&mesh)?)?, mesh);

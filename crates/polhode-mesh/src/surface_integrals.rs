@@ -8,7 +8,8 @@
 //! int r r^T dA = A / 12 (s s^T + b b^T + c c^T + d d^T)                       m^4
 //! ```
 //!
-//! As for volumes, the sums are compensated and about a point near the centroid. The surface need not be closed, and the winding of its triangles does not matter.
+//! As for volumes, the sums are compensated and about a point near the centroid. The surface need not be closed, and
+//! the winding of its triangles does not matter.
 
 use crate::moment_sums::{CentralMoments, Simplex};
 use crate::triangle_mesh::TriangleMesh;

@@ -10,8 +10,8 @@ pub use crate::mesh_error::MeshError;
 use glam::DVec3;
 use polhode_spatial::Pose;
 
-/// Rounding of a length, relative to the largest coordinate (dimensionless): rounding three coordinates of two points to
-/// f64 moves their distance by up to `2 sqrt(3) u = 3.5 u`, `u = 2^-53`; twice that leaves room for the arithmetic.
+/// Rounding of a length, relative to the largest coordinate (dimensionless): rounding three coordinates of two points
+/// to f64 moves their distance by up to `2 sqrt(3) u = 3.5 u`, `u = 2^-53`; twice that leaves room for the arithmetic.
 /// Whatever is smaller cannot be told from zero.
 pub(crate) const COORDINATE_ROUNDING: f64 = 4.0 * f64::EPSILON;
 

@@ -1,8 +1,8 @@
 //! Welding: vertices at the same place become one.
 //!
 //! Vertices are taken in order; each joins the earliest one kept so far that is within the tolerance of it, and is kept
-//! itself when there is none. So what is kept does not move, kept vertices are farther apart than the tolerance, and the
-//! result depends on nothing but the order of the file. Kept vertices lie in a grid of cells of edge `CELL`
+//! itself when there is none. So what is kept does not move, kept vertices are farther apart than the tolerance, and
+//! the result depends on nothing but the order of the file. Kept vertices lie in a grid of cells of edge `CELL`
 //! tolerances: a cell holds few of them, and only the cells that a ball of the tolerance touches are searched.
 
 use crate::triangle_mesh::{MeshError, TriangleMesh};

@@ -82,7 +82,8 @@ pub(crate) fn friction<'py>(
     Ok(told)
 }
 
-/// Reactions that do not depend on the order of the contacts, where many share a load: those from no reactions at first.
+/// Reactions that do not depend on the order of the contacts, where many share a load: those from no reactions at
+/// first.
 fn solved(contacts: &Contacts, start: Option<Vec<f64>>) -> Result<FrictionSolution, ResponseError> {
     let settings = FrictionSettings { redundancy: Redundancy::LeastNorm, ..FrictionSettings::default() };
     let start = start.unwrap_or_else(|| vec![0.0; contacts.free.len()]);

@@ -91,7 +91,8 @@ fn coordinate<'py>(py: Python<'py>, own: &RobotCoordinate) -> PyResult<Bound<'py
     Ok(told)
 }
 
-/// What is impossible in the file of a robot, or simulated otherwise than it says: of its masses, inertias, meshes and links too.
+/// What is impossible in the file of a robot, or simulated otherwise than it says: of its masses, inertias, meshes and
+/// links too.
 #[pyfunction]
 pub(crate) fn doctor(py: Python<'_>, path: &Bound<'_, PyAny>) -> PyResult<Vec<Finding>> {
     let path: PathBuf = path.extract()?;

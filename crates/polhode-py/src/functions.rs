@@ -17,8 +17,8 @@ fn unfit(what: &str, needed: &str, given: &Bound<'_, PyAny>) -> PyErr {
 
 /// Attitudes of a free rotation at some times, s: (N, 4).
 ///
-/// The moments are those about the axes of the body, kg m^2; the angular velocity is in the world, rad/s; the orientation is that at
-/// t = 0.
+/// The moments are those about the axes of the body, kg m^2; the angular velocity is in the world, rad/s; the
+/// orientation is that at t = 0.
 #[pyfunction]
 #[pyo3(signature = (moments, angular_velocity, times, orientation=None))]
 pub(crate) fn rotate_free<'py>(

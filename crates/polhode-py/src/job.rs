@@ -1,5 +1,5 @@
-//! Work in a thread of its own. The thread that asked for it waits, lets other threads of Python work, tells how far the work is, and
-//! looks for Ctrl-C.
+//! Work in a thread of its own. The thread that asked for it waits, lets other threads of Python work, tells how far
+//! the work is, and looks for Ctrl-C.
 
 use polhode::Flow;
 use pyo3::exceptions::PyRuntimeError;

@@ -1,6 +1,7 @@
 //! What a run has told, as arrays of numpy.
 //!
-//! Each column is moved into its array when that is first asked for, so that numpy is loaded no earlier, and nothing is copied.
+//! Each column is moved into its array when that is first asked for, so that numpy is loaded no earlier, and nothing is
+//! copied.
 
 use crate::drawn::Drawn;
 use crate::recorder::{Columns, OF_BODY, OF_ENERGY, OF_JOINT};
@@ -194,8 +195,8 @@ impl Recording {
         self.joints.array(py)
     }
 
-    /// Of each event: its kind, the numbers of its bodies (-1 where there is no second one), and time, point, normal, impulse and change
-    /// of energy as a row of nine numbers.
+    /// Of each event: its kind, the numbers of its bodies (-1 where there is no second one), and time, point, normal,
+    /// impulse and change of energy as a row of nine numbers.
     fn events<'py>(&self, py: Python<'py>) -> PyResult<EventColumns<'py>> {
         event_columns(py, &self.events)
     }

@@ -22,8 +22,8 @@ struct Done {
     shown: Option<(Unread, Drawn)>,
 }
 
-/// Runs a scene from its start to its end; `told` is called with the time reached and the duration, s. With `keep` the page with frames
-/// at least this far apart (s) and all plots are kept.
+/// Runs a scene from its start to its end; `told` is called with the time reached and the duration, s. With `keep` the
+/// page with frames at least this far apart (s) and all plots are kept.
 #[pyfunction]
 pub(crate) fn run(
     py: Python<'_>,
@@ -83,7 +83,8 @@ fn too_large(loaded: &LoadedScene) -> PyErr {
     let scene = &loaded.scene;
     let samples = scene.duration_s() / scene.output_interval_s();
     PyMemoryError::new_err(format!(
-        "{}: there is no memory for {samples:.0} samples of {} bodies: give a larger output.interval, or a shorter duration",
+        "{}: there is no memory for {samples:.0} samples of {} bodies: give a larger output.interval, or a shorter \
+         duration",
         scene.name(),
         scene.bodies().len()
     ))

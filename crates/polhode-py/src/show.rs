@@ -1,7 +1,8 @@
 //! A run as a page, pictures and plots.
 //!
-//! Pictures are drawn from the samples of the run. What pages and plots tell besides (contacts, their forces, the ledger, steps) no run
-//! keeps unless it was asked to: the scene is simulated again for them, once, which gives the same bits.
+//! Pictures are drawn from the samples of the run. What pages and plots tell besides (contacts, their forces, the
+//! ledger, steps) no run keeps unless it was asked to: the scene is simulated again for them, once, which gives the
+//! same bits.
 
 use crate::drawn::Drawn;
 use crate::job::{self, Watch};

@@ -1,4 +1,5 @@
-//! Studies of a scene: which method reaches an accuracy, and what accuracy costs. They run in a thread that Ctrl-C ends.
+//! Studies of a scene: which method reaches an accuracy, and what accuracy costs. They run in a thread that Ctrl-C
+//! ends.
 
 use crate::errors;
 use crate::job::{self, Ended, Watch};
@@ -43,8 +44,9 @@ impl Host for Going<'_> {
     }
 }
 
-/// The study of a scene as JSON, as `polhode cost --json` prints it. Without keys to vary, the search for `accuracy` has the methods
-/// of the scene's law alone; the table without it has the other laws too. `told` is called with how much of all is done.
+/// The study of a scene as JSON, as `polhode cost --json` prints it. Without keys to vary, the search for `accuracy`
+/// has the methods of the scene's law alone; the table without it has the other laws too. `told` is called with how
+/// much of all is done.
 #[pyfunction]
 #[pyo3(signature = (loaded, all_effects, told, accuracy=None, vary=Vec::new(), budget_s=None))]
 pub(crate) fn study(

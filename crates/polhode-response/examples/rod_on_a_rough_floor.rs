@@ -1,5 +1,5 @@
-//! A slender rod falls on its lower end, at 45 degrees, on a floor with friction: what the contact does in the short time of
-//! the impact, and how much each law of restitution gives back.
+//! A slender rod falls on its lower end, at 45 degrees, on a floor with friction: what the contact does in the short
+//! time of the impact, and how much each law of restitution gives back.
 
 use polhode_response::{CollisionMatrix, RestitutionLaw, SingleFrictionalImpact};
 use std::error::Error;

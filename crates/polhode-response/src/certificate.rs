@@ -23,7 +23,8 @@
 //!
 //! Source: natural map, Facchinei and Pang 2003; nonexpansive projection, Moreau 1965; bounds: derived for this project
 //! (the projection property of Gauss's principle), never violated on the random problems of the tests. Where rounding
-//! makes a `w_i` slightly negative its magnitude is counted in the energy norm bound, which then holds to rounding only.
+//! makes a `w_i` slightly negative its magnitude is counted in the energy norm bound, which then holds to rounding
+//! only.
 
 use crate::delassus::Delassus;
 use crate::dense::kernels::axpy;

@@ -3,7 +3,8 @@
 //! The thesis calls it `M_ij` (equation 18). It is symmetric and positive semidefinite, in general rank-deficient
 //! (errata E13: the five-diamond has 82 rows and rank 50). Entries have the unit of inverse mass, 1/kg.
 //!
-//! Rows that are held and soft (`u = -c r`) add their compliance `c` to the diagonal, so that `G r + b = 0` says what they ask for.
+//! Rows that are held and soft (`u = -c r`) add their compliance `c` to the diagonal, so that `G r + b = 0` says what
+//! they ask for.
 //!
 //! Only pairs of rows that share a body are formed. The matrix is exactly symmetric, and an entry is the mean of
 //! `J_i (M^-1 J_j)` and `J_j (M^-1 J_i)`, so that its bits depend neither on the order of the rows nor on which of
@@ -15,8 +16,8 @@ use crate::error::{ResponseError, check_finite, check_length};
 use crate::problem::{BLOCK_ROUNDING, ContactProblem, RowEntry};
 use std::sync::Arc;
 
-/// From so many rows with friction on an impact is solved for in the velocities of bodies (100 to 300): with as many the factors
-/// of this matrix take longer than those of the bodies. Its rows are kept for that.
+/// From so many rows with friction on an impact is solved for in the velocities of bodies (100 to 300): with as many
+/// the factors of this matrix take longer than those of the bodies. Its rows are kept for that.
 const LEAST_ROWS_IN_BODIES: usize = 144;
 
 /// A dense, exactly symmetric Delassus matrix.
@@ -96,8 +97,9 @@ impl Delassus {
     }
 }
 
-/// Checks that entries, row-major, are a Delassus matrix: symmetric and positive semidefinite to rounding, of any rank. Solvers
-/// take the symmetry of a matrix that they are given for granted, and what they find for an indefinite one means nothing.
+/// Checks that entries, row-major, are a Delassus matrix: symmetric and positive semidefinite to rounding, of any rank.
+/// Solvers take the symmetry of a matrix that they are given for granted, and what they find for an indefinite one
+/// means nothing.
 ///
 /// ```
 /// use polhode_response::check_delassus;
@@ -108,7 +110,8 @@ impl Delassus {
 /// ```
 ///
 /// # Errors
-/// When the length is not `size^2`, or an entry is not finite, differs from its mirror image, or gives a negative energy.
+/// When the length is not `size^2`, or an entry is not finite, differs from its mirror image, or gives a negative
+/// energy.
 pub fn check_delassus(size: usize, entries: &[f64]) -> Result<(), ResponseError> {
     check_length("Delassus matrix", size.saturating_mul(size), entries.len())?;
     check_finite("Delassus matrix", entries)?;

@@ -60,12 +60,14 @@ pub enum ResponseError {
     },
     /// A row must touch one or two bodies, that of a gear up to four.
     #[error(
-        "a row touches one or two movable bodies, of a gear up to four, found {0}; leave out contacts between immovable bodies"
+        "a row touches one or two movable bodies, of a gear up to four, found {0}; leave out contacts between \
+         immovable bodies"
     )]
     RowBodies(usize),
     /// A row cannot have this compliance.
     #[error(
-        "row {row} cannot have a compliance of {compliance}: a row that is held and a finite number of at least 0 are needed"
+        "row {row} cannot have a compliance of {compliance}: a row that is held and a finite number of at least 0 are \
+         needed"
     )]
     Compliance {
         /// The row.
@@ -75,8 +77,8 @@ pub enum ResponseError {
     },
     /// Too many contacts to guess which of them vanish.
     #[error(
-        "{contacts} contacts of bodies that touch have 2^{contacts} sets of those that vanish: guesses are accepted for at \
-         most {limit}; use contact = \"heuristic\", \"least-force\" or \"active-set\""
+        "{contacts} contacts of bodies that touch have 2^{contacts} sets of those that vanish: guesses are accepted \
+         for at most {limit}; use contact = \"heuristic\", \"least-force\" or \"active-set\""
     )]
     TooManyGuesses {
         /// Number of contacts.
@@ -150,8 +152,8 @@ pub enum ResponseError {
     },
     /// The pulse law is given a contact that resists rotations.
     #[error(
-        "block {block} resists rolling or spinning, or slides already: the pulse law takes contacts with friction against slip \
-         alone; use the simultaneous law"
+        "block {block} resists rolling or spinning, or slides already: the pulse law takes contacts with friction \
+         against slip alone; use the simultaneous law"
     )]
     PulseOfRotation {
         /// The block.
@@ -175,8 +177,8 @@ pub enum ResponseError {
     },
     /// A Delassus matrix is not symmetric.
     #[error(
-        "the Delassus matrix must be symmetric: entry ({row}, {column}) is {value:e}, its mirror {other:e}; give both their \
-         mean, (W + W^T)/2, where that is rounding"
+        "the Delassus matrix must be symmetric: entry ({row}, {column}) is {value:e}, its mirror {other:e}; give both \
+         their mean, (W + W^T)/2, where that is rounding"
     )]
     Asymmetric {
         /// Row of the entry.
@@ -190,8 +192,9 @@ pub enum ResponseError {
     },
     /// A Delassus matrix is not positive semidefinite.
     #[error(
-        "the Delassus matrix must be positive semidefinite: what other rows leave of row {row} is {part:e} of its diagonal entry, \
-         and at least -{limit:e} counts as rounding; form it as W = J M^-1 J^T of inverse masses that are positive semidefinite"
+        "the Delassus matrix must be positive semidefinite: what other rows leave of row {row} is {part:e} of its \
+         diagonal entry, and at least -{limit:e} counts as rounding; form it as W = J M^-1 J^T of inverse masses that \
+         are positive semidefinite"
     )]
     Indefinite {
         /// The row.

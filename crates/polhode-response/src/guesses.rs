@@ -1,13 +1,15 @@
 //! The guesses of the thesis's section 3.4: which contacts vanish is tried, one set after the other, until forces fit.
 //!
 //! For a set `V` of contacts that vanish and the others, `S`: `f_V = 0`, `G_SS f_S = -b_S` with `f_S >= 0`, and
-//! `w_V = G_VS f_S + b_V >= 0` (N, 1/kg, m/s^2). A set that fits gives an exact answer, whose motion is the only one (Gauss's
-//! principle). The sets are tried by their size: none vanishes first, then each contact alone, each pair, and so on; within a
-//! size in the order of the rows. There are `2^n` for `n` contacts, so that more than [`MOST_GUESSED`] are refused.
+//! `w_V = G_VS f_S + b_V >= 0` (N, 1/kg, m/s^2). A set that fits gives an exact answer, whose motion is the only one
+//! (Gauss's principle). The sets are tried by their size: none vanishes first, then each contact alone, each pair, and
+//! so on; within a size in the order of the rows. There are `2^n` for `n` contacts, so that more than [`MOST_GUESSED`]
+//! are refused.
 //!
-//! Sets `S` with rows that depend on each other are passed over: where they have forces, a smaller set of independent rows among
-//! them has some too (Caratheodory), with forces of zero at the others, which do not vanish for all that. So the answer has no more
-//! carrying contacts than it needs, and forces are not those of least norm; which contacts vanish is read from `w > 0`.
+//! Sets `S` with rows that depend on each other are passed over: where they have forces, a smaller set of independent
+//! rows among them has some too (Caratheodory), with forces of zero at the others, which do not vanish for all that. So
+//! the answer has no more carrying contacts than it needs, and forces are not those of least norm; which contacts
+//! vanish is read from `w > 0`.
 //!
 //! Fails where contacts contradict each other to rounding: no set fits then, and the status says so.
 //!
@@ -52,7 +54,8 @@ pub struct GuessedForces {
 /// Contact forces by guesses of which contacts vanish.
 ///
 /// # Errors
-/// When there are more than [`MOST_GUESSED`] contacts, lengths differ, a number is not finite, or a setting is out of range.
+/// When there are more than [`MOST_GUESSED`] contacts, lengths differ, a number is not finite, or a setting is out of
+/// range.
 #[cfg_attr(feature = "census", track_caller)]
 pub fn guesses(delassus: &Delassus, b: &[f64], settings: &SolverSettings) -> Result<GuessedForces, ResponseError> {
     let found = by_guesses(delassus, b, settings)?;

@@ -6,9 +6,9 @@
 //! | 2 | those vanish that `f_a = argmin sum f` subject to `w >= 0`, `f >= 0` opens (`w_a > 0`): `f = 0`, `w >= 0` there, `w = 0` elsewhere | none is added |
 //! | 3 | where that has no solution: `f_a` itself | the power `f.w >= 0` (W) is added |
 //!
-//! with forces `f` (N), accelerations of separation `w` (m/s^2), `G` (1/kg). The forces are those of [`least_force`], which
-//! does not tell what it took for vanishing. Stage 3 is wrong in general (errata E15: a beam over the edge of a table), and the bound
-//! of the report, `sqrt(f.w)`, says by how much.
+//! with forces `f` (N), accelerations of separation `w` (m/s^2), `G` (1/kg). The forces are those of [`least_force`],
+//! which does not tell what it took for vanishing. Stage 3 is wrong in general (errata E15: a beam over the edge of a
+//! table), and the bound of the report, `sqrt(f.w)`, says by how much.
 //!
 //! Fails where the linear programme has no solution or is not solved: forces are zero then, and the status says so.
 //!
@@ -33,7 +33,8 @@ pub struct HeuristicSolution {
     pub stage: LeastForceStage,
     /// The contacts taken for vanishing, ascending: none in stage 1; in stage 3 those that the guess that failed named.
     pub vanishing: Vec<usize>,
-    /// The power that the forces add, `f.w`, in N m/s^2 (the rate of change of the power, at bodies that begin to move).
+    /// The power that the forces add, `f.w`, in N m/s^2 (the rate of change of the power, at bodies that begin to
+    /// move).
     pub added: f64,
     /// The certificate.
     pub report: SolverReport,
@@ -43,8 +44,8 @@ pub struct HeuristicSolution {
 ///
 /// ```
 /// use polhode_response::{ContactProblem, LeastForceStage, SolverSettings, heuristic};
-/// // A beam over the edge of a table (case RC-08): contacts at 1/2 and 2 radii of gyration on one side of its centre. Least force
-/// // takes the outer one alone, and the guess from it is wrong: it turns about the inner one.
+/// // A beam over the edge of a table (case RC-08): contacts at 1/2 and 2 radii of gyration on one side of its centre.
+/// // Least force takes the outer one alone, and the guess from it is wrong: it turns about the inner one.
 /// let mut problem = ContactProblem::new(2, vec![1.0, 0.0, 0.0, 1.0])?;
 /// problem.push_row(&[(0, &[1.0, 0.5])])?;
 /// problem.push_row(&[(0, &[1.0, 2.0])])?;

@@ -29,8 +29,8 @@ const PIVOT_ROUNDING: f64 = 1e-14;
 /// exact afterwards, and its residual is checked.
 const PROGRAMME_TOLERANCES: [f64; 3] = [1e-12, 1e-10, 1e-8];
 
-/// What a margin may be off by where the first tolerance is not met, relative to data of unit size (no unit, 1e-9 to 1e-7): it
-/// is told to six digits.
+/// What a margin may be off by where the first tolerance is not met, relative to data of unit size (no unit, 1e-9 to
+/// 1e-7): it is told to six digits.
 const MARGIN_TOLERANCE: f64 = 1e-7;
 
 /// Contact forces by interior point.
@@ -233,8 +233,8 @@ pub(crate) fn least_cost(
     }
 }
 
-/// The programme with this quadratic and linear objective, and `q` divided by `size`, by the first of some settings that meets
-/// its tolerance or its reduced one.
+/// The programme with this quadratic and linear objective, and `q` divided by `size`, by the first of some settings
+/// that meets its tolerance or its reduced one.
 fn in_cones(
     (quadratic, gradient): (&CscMatrix<f64>, &[f64]),
     entries: &[(usize, usize, f64)],

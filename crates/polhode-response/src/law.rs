@@ -8,12 +8,14 @@
 //! | [`Law::Slide`] | 2 | `r_t = -mu r_n`: a contact that slides already |
 //! | [`Law::Resist`] | 1 to 6 | a contact that resists slip, rolling and spinning |
 //!
-//! The words are the same for impulses and velocities, and for forces and accelerations. A contact has a normal row, the
-//! first of its block, and as many tangential rows as the space has directions along the surface: two in space, one in a plane.
+//! The words are the same for impulses and velocities, and for forces and accelerations. A contact has a normal row,
+//! the first of its block, and as many tangential rows as the space has directions along the surface: two in space, one
+//! in a plane.
 //!
-//! A contact may resist more than its slip: rolling, by the rows of two axes, and spinning, by that of the normal. Each is a
-//! part of its block with a law of Coulomb's kind: `|r_i| <= mu_i r_n` where `u_i = 0`, and `r_i = -mu_i r_n u_i/|u_i|` where
-//! not. Rows of rotations are angular velocities times a length, so that their reactions are moments over that length.
+//! A contact may resist more than its slip: rolling, by the rows of two axes, and spinning, by that of the normal. Each
+//! is a part of its block with a law of Coulomb's kind: `|r_i| <= mu_i r_n` where `u_i = 0`, and
+//! `r_i = -mu_i r_n u_i/|u_i|` where not. Rows of rotations are angular velocities times a length, so that their
+//! reactions are moments over that length.
 
 use crate::error::ResponseError;
 use std::ops::Range;
@@ -48,8 +50,8 @@ pub struct Resistance {
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum Law {
-    /// Rows that are held, `u = 0`, by reactions of either sign: tangents that stick, axes of a joint. Problems with friction
-    /// take 1 to 3 rows; a joint of more is several blocks there.
+    /// Rows that are held, `u = 0`, by reactions of either sign: tangents that stick, axes of a joint. Problems with
+    /// friction take 1 to 3 rows; a joint of more is several blocks there.
     Hold {
         /// Rows.
         rows: usize,

@@ -245,8 +245,8 @@ impl<'a> Programme<'a> {
     }
 }
 
-/// Independent ones among `rows` (ascending), by a Cholesky factorisation with pivoting: the largest relative pivot comes
-/// first, the first row of equal ones. Source: Golub and Van Loan, section 4.2.
+/// Independent ones among `rows` (ascending), by a Cholesky factorisation with pivoting: the largest relative pivot
+/// comes first, the first row of equal ones. Source: Golub and Van Loan, section 4.2.
 fn independent_rows(delassus: &Delassus, rows: &[usize]) -> Vec<usize> {
     let diagonal = |row: usize| delassus.get(row, row);
     // Lines of the factor of every row, and what is left of its diagonal entry.

@@ -1,22 +1,24 @@
 //! The least forces within the cones of friction, among those that hold what some forces hold.
 //!
-//! Where rows depend on each other, many forces hold them. Those of least norm ([`least_norm_sliding_forces`]) know no cones:
-//! where some contacts slide and others stick they may pull, or ask a contact that sticks for more than friction bears.
-//! With forces `f_0` that hold all rows, and `A` the accelerations of the held rows for unit forces along them (with the
-//! friction that each normal force of a sliding contact brings), sought are
+//! Where rows depend on each other, many forces hold them. Those of least norm ([`least_norm_sliding_forces`]) know no
+//! cones: where some contacts slide and others stick they may pull, or ask a contact that sticks for more than friction
+//! bears. With forces `f_0` that hold all rows, and `A` the accelerations of the held rows for unit forces along them
+//! (with the friction that each normal force of a sliding contact brings), sought are
 //!
 //! ```text
 //! minimise |f|^2 / 2   subject to   A f = A f_0,   f_n >= 0,   |f_t| <= mu f_n of every contact that sticks
 //! ```
 //!
-//! Method: let the columns of `Q` be an orthonormal basis of the range of `A^T` (QR with column pivoting). Then `f = P(Q y)`,
-//! with `P` the projection onto the cones, where `y` minimises the convex function `|P(Q y)|^2 / 2 - y.Q^T f_0`. Its gradient
-//! is `Q^T P(Q y) - Q^T f_0`; Newton's method with a line search finds its zero. Rolling and spinning that are held
-//! are cones of their own, each with a copy of the normal force that the constraints equate with it. Forces along rows with
-//! scales are minimised as their blocks take them. Sources: Malick 2004 (the dual method), Qi and Sun 1993 (Newton's method
-//! where the projection has kinks). Symbols: `f` force (N), `mu` coefficient of friction.
+//! Method: let the columns of `Q` be an orthonormal basis of the range of `A^T` (QR with column pivoting). Then
+//! `f = P(Q y)`, with `P` the projection onto the cones, where `y` minimises the convex function
+//! `|P(Q y)|^2 / 2 - y.Q^T f_0`. Its gradient is `Q^T P(Q y) - Q^T f_0`; Newton's method with a line search finds its
+//! zero. Rolling and spinning that are held are cones of their own, each with a copy of the normal force that the
+//! constraints equate with it. Forces along rows with scales are minimised as their blocks take them. Sources: Malick
+//! 2004 (the dual method), Qi and Sun 1993 (Newton's method where the projection has kinks). Symbols: `f` force (N),
+//! `mu` coefficient of friction.
 //!
-//! Failure: `None` where no forces lie in the cones (the dual function falls without end), or those that do use all of them.
+//! Failure: `None` where no forces lie in the cones (the dual function falls without end), or those that do use all of
+//! them.
 //!
 //! [`least_norm_sliding_forces`]: crate::least_norm_sliding_forces
 
@@ -41,9 +43,9 @@ const MOST_NEWTON_STEPS: u32 = 60;
 /// What the constraints may be missed by, relative to the largest force (no unit): rounding of some hundred terms.
 const MISSED: f64 = 1e-13;
 
-/// Least that is added to the diagonal of Newton's matrix, whose entries are at most 1 (no unit). Far from the answer it is
-/// the gradient, relative to the largest force: in directions in which the projection does not change, steps stay as long as
-/// forces are, and near the answer they are as good as Newton's.
+/// Least that is added to the diagonal of Newton's matrix, whose entries are at most 1 (no unit). Far from the answer
+/// it is the gradient, relative to the largest force: in directions in which the projection does not change, steps stay
+/// as long as forces are, and near the answer they are as good as Newton's.
 const LEAST_DUAL_DAMPING: f64 = 1e-12;
 
 /// Part of the slope that a step must gain (Armijo; no unit, below a half).
@@ -182,9 +184,9 @@ impl ForceCone {
     }
 }
 
-/// The least forces (N) of all rows of a problem within the cones of `blocks` that hold what `forces` hold: the first `held`
-/// rows, with friction along the rows of `sliding` behind them. `forces` themselves where they lie in the cones; none where
-/// no forces do.
+/// The least forces (N) of all rows of a problem within the cones of `blocks` that hold what `forces` hold: the first
+/// `held` rows, with friction along the rows of `sliding` behind them. `forces` themselves where they lie in the cones;
+/// none where no forces do.
 ///
 /// ```
 /// use polhode_response::{Blocks, ContactProblem, Law, SlidingRow, least_forces_in_cones};
@@ -378,8 +380,8 @@ mod tests {
     use super::*;
     use crate::{ContactProblem, Law};
 
-    /// A block of 1 kg that a wall with friction 0.5 pushes over a floor, in a plane: the floor's friction is `mu` times what it
-    /// bears, and what the wall lifts is at most half of its push.
+    /// A block of 1 kg that a wall with friction 0.5 pushes over a floor, in a plane: the floor's friction is `mu`
+    /// times what it bears, and what the wall lifts is at most half of its push.
     fn pushed_block() -> ContactProblem {
         let mut problem = ContactProblem::new(2, vec![1.0, 0.0, 0.0, 1.0]).unwrap();
         problem.push_row(&[(0, &[0.0, 1.0])]).unwrap();

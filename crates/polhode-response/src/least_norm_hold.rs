@@ -93,11 +93,12 @@ impl LeastNormHold {
         Self::regularized((delassus, None), REGULARIZATION)
     }
 
-    /// As [`factor`](Self::factor) for rows of gaps the largest of which is this part of the size of the bodies (no unit), in
-    /// Newton steps that close them. Rows that depend on each other where the gaps are closed do not where they are open: by so
-    /// much of their size, and their gaps contradict each other by the square of it. Regularised by the gap itself, such
-    /// directions are left alone, to the order of its square, and all others are closed to that of its fourth power: the steps
-    /// converge quadratically, also where rows depend on each other (Yamashita and Fukushima 2001).
+    /// As [`factor`](Self::factor) for rows of gaps the largest of which is this part of the size of the bodies (no
+    /// unit), in Newton steps that close them. Rows that depend on each other where the gaps are closed do not where
+    /// they are open: by so much of their size, and their gaps contradict each other by the square of it. Regularised
+    /// by the gap itself, such directions are left alone, to the order of its square, and all others are closed to that
+    /// of its fourth power: the steps converge quadratically, also where rows depend on each other (Yamashita and
+    /// Fukushima 2001).
     ///
     /// # Errors
     /// When the matrix is not finite.
@@ -105,8 +106,8 @@ impl LeastNormHold {
         Self::regularized((delassus, None), gap.clamp(REGULARIZATION, SOFT_REGULARIZATION))
     }
 
-    /// As [`factor_open`](Self::factor_open) for rows beside trees: dependence is decided against what each of them would move without the
-    /// trees. What is left of one that they hold is rounding.
+    /// As [`factor_open`](Self::factor_open) for rows beside trees: dependence is decided against what each of them
+    /// would move without the trees. What is left of one that they hold is rounding.
     ///
     /// # Errors
     /// When the matrix is not finite.
@@ -115,8 +116,9 @@ impl LeastNormHold {
         Self::regularized((&beside.delassus, Some(&beside.free)), regularization)
     }
 
-    /// As [`factor`](Self::factor), for small values that need not be cancelled at any price: what only forces above some
-    /// ten times `b` would cancel stays. These are the directions with eigenvalues below 1e-2 of the unit diagonal.
+    /// As [`factor`](Self::factor), for small values that need not be cancelled at any price: what only forces above
+    /// some ten times `b` would cancel stays. These are the directions with eigenvalues below 1e-2 of the unit
+    /// diagonal.
     ///
     /// # Errors
     /// When the matrix is not finite.
@@ -208,8 +210,8 @@ fn inverse_root(diagonal: f64) -> f64 {
     if diagonal > 0.0 { 1.0 / diagonal.sqrt() } else { 0.0 }
 }
 
-/// The packed lower triangle of the factor of a regularised matrix, row by row. Rounding can take at most a few units in
-/// the last place from a matrix that is positive semidefinite: pivots are at least `smallest`.
+/// The packed lower triangle of the factor of a regularised matrix, row by row. Rounding can take at most a few units
+/// in the last place from a matrix that is positive semidefinite: pivots are at least `smallest`.
 fn cholesky(n: usize, entry: impl Fn(usize, usize) -> f64, smallest: f64) -> Vec<f64> {
     let mut factor: Vec<f64> = Vec::with_capacity(n * (n + 1) / 2);
     for i in 0..n {
@@ -247,8 +249,8 @@ fn back_substitute(factor: &[f64], y: &mut [f64]) {
 pub struct LeastNormForces {
     /// One for each row (N; impulses, N s), of either sign.
     pub forces: Vec<f64>,
-    /// What they add up to on each body, `J^T f`, in blocks of the problem's width: at large mass ratios only, where the
-    /// sum of `forces` would accelerate light bodies by its rounding.
+    /// What they add up to on each body, `J^T f`, in blocks of the problem's width: at large mass ratios only, where
+    /// the sum of `forces` would accelerate light bodies by its rounding.
     pub loads: Option<Vec<f64>>,
 }
 
@@ -340,8 +342,8 @@ fn least_forces(problem: &ContactProblem, delassus: &Delassus, b: &[f64]) -> Res
 }
 
 impl ContactProblem {
-    /// Whether the masses that the rows meet differ so little that forces in working precision hold the lightest body to
-    /// rounding: by a factor of 256 at most.
+    /// Whether the masses that the rows meet differ so little that forces in working precision hold the lightest body
+    /// to rounding: by a factor of 256 at most.
     pub fn has_alike_masses(&self) -> bool {
         self.mass_ratio() <= ALIKE_MASSES
     }

@@ -27,10 +27,16 @@
 //! | [`method_set`] | [`MethodSet`]: which methods of a chain were tried |
 //! | [`settings`] | [`SolverSettings`] |
 //! | [`error`] | [`ResponseError`] |
+//! | `dense` | small dense linear algebra |
+//! | `interior_point` | the interior-point backend, which alone names clarabel |
+//! | `least_in_cones` | the least forces within the cones of friction that hold what some forces hold |
+//! | `penalty` | spring laws of contacts |
+//! | `precise` | rates of rows, body by body, in twice the working precision |
 //!
 //! This crate is all that a program needs to name. Its signatures speak of numbers alone; vectors to build rows from,
 //! and mass properties, are under [`spatial`]. Programs of ten lines stand in the folder `examples` of the crate:
-//! `newtons_cradle` (an impact law), `rod_on_a_rough_floor` (one with friction) and `box_on_the_floor` (contact forces).
+//! `newtons_cradle` (an impact law), `rod_on_a_rough_floor` (one with friction) and `box_on_the_floor` (contact
+//! forces).
 //!
 //! ```
 //! use polhode_response::{ContactProblem, SolverSettings, minimum_norm, solve_complementarity};

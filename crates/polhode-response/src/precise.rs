@@ -13,9 +13,10 @@ use polhode_spatial::DoubleDouble;
 const SPREAD: f64 = 256.0;
 
 impl ContactProblem {
-    /// `b + J (M^-1 J^T f) + c f`: the accelerations (velocities) of all rows under the forces (impulses) `f`, where `b` are those
-    /// without them. Forces are summed body by body in twice the working precision, so that large ones that cancel on a light
-    /// body leave the rounding of each of them and no more: that of the entries of `G`, and of its products, is not in it.
+    /// `b + J (M^-1 J^T f) + c f`: the accelerations (velocities) of all rows under the forces (impulses) `f`, where
+    /// `b` are those without them. Forces are summed body by body in twice the working precision, so that large ones
+    /// that cancel on a light body leave the rounding of each of them and no more: that of the entries of `G`, and of
+    /// its products, is not in it.
     ///
     /// # Errors
     /// When `b` or `forces` has not one number for each row.
@@ -26,8 +27,8 @@ impl ContactProblem {
         Ok(residual(self, &rows, b, forces, &rows))
     }
 
-    /// The same where the forces add up to these loads on the bodies, in blocks of the problem's width. Of soft rows their own
-    /// forces count.
+    /// The same where the forces add up to these loads on the bodies, in blocks of the problem's width. Of soft rows
+    /// their own forces count.
     ///
     /// # Errors
     /// When `b` or `forces` has not one number for each row, or `loads` not `width` for each body.
@@ -139,8 +140,8 @@ pub(crate) fn loads(problem: &ContactProblem, rows: &[usize], forces: &[DoubleDo
     loads
 }
 
-/// `b + J (M^-1 x) + c f` of `rows` with these forces under the loads `x` on all bodies, rounded after the sum. The inverse masses act on the
-/// sum and not on each force, whose rounded products would not cancel.
+/// `b + J (M^-1 x) + c f` of `rows` with these forces under the loads `x` on all bodies, rounded after the sum. The
+/// inverse masses act on the sum and not on each force, whose rounded products would not cancel.
 pub(crate) fn accelerations_under(
     problem: &ContactProblem,
     rows: &[usize],

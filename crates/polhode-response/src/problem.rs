@@ -7,8 +7,8 @@
 //! mass, `J_iA = (n, r_A x n)` and `J_iB = -(n, r_B x n)`; these are the coefficients of the thesis's equations
 //! (14), (15), (17) and (18). Immovable bodies have no entry: that is the thesis's `phi(i, j) = 0`.
 //!
-//! Rows push, as those along the normals of contacts, or hold with a force of either sign, as those of joints. What the rows of
-//! one constraint ask for together is its [`Law`].
+//! Rows push, as those along the normals of contacts, or hold with a force of either sign, as those of joints. What the
+//! rows of one constraint ask for together is its [`Law`].
 //!
 //! Source: thesis, sections 3.3 and 3.4. Assumption: the rows of one problem have one unit, so that their speeds can
 //! be compared. Failure: data that is not finite, not symmetric or out of range is refused with a [`ResponseError`].
@@ -18,7 +18,8 @@ use crate::error::{ResponseError, check_finite, check_length};
 use crate::law::Law;
 use std::ops::Range;
 
-/// Largest relative asymmetry and negative pivot of an inverse mass block, or a Delassus matrix, that counts as rounding (no unit).
+/// Largest relative asymmetry and negative pivot of an inverse mass block, or a Delassus matrix, that counts as
+/// rounding (no unit).
 pub(crate) const BLOCK_ROUNDING: f64 = 1e-12;
 
 /// Rows for which memory is taken with the first one: those of four contacts with friction. Of more it grows.
@@ -46,7 +47,8 @@ pub struct ContactProblem {
     compliances: Vec<(usize, f64)>,
     /// First row and law of the blocks with friction.
     frictional: Vec<(usize, Law)>,
-    /// What rows of more than two bodies have beside the first two: (row, body, `J_ib`, `M_b^-1 J_ib^T`), ascending by row.
+    /// What rows of more than two bodies have beside the first two: (row, body, `J_ib`, `M_b^-1 J_ib^T`), ascending by
+    /// row.
     others: Vec<OtherEntry>,
     /// Two blocks of `width` numbers for each row; the second is unused when the row touches one body.
     jacobian: Vec<f64>,
@@ -128,8 +130,8 @@ impl ContactProblem {
         })
     }
 
-    /// The problem with one row for each coordinate of its only body, whose inverse mass (row-major, symmetric and positive
-    /// semidefinite) is therefore its matrix; which rows are held, and which are soft.
+    /// The problem with one row for each coordinate of its only body, whose inverse mass (row-major, symmetric and
+    /// positive semidefinite) is therefore its matrix; which rows are held, and which are soft.
     pub(crate) fn of_matrix(entries: &[f64], holds: Vec<bool>, compliances: Vec<(usize, f64)>) -> Self {
         let size = holds.len();
         let mut problem = Self {
@@ -157,8 +159,9 @@ impl ContactProblem {
         self.rows[row].bodies
     }
 
-    /// Adds a row that pushes, `0 <= f _|_ w >= 0`, touches one to four bodies, and returns its index. Each block has `width`
-    /// numbers. The methods that solve in the velocities of bodies take rows of one or two ([`Self::is_of_pairs`]).
+    /// Adds a row that pushes, `0 <= f _|_ w >= 0`, touches one to four bodies, and returns its index. Each block has
+    /// `width` numbers. The methods that solve in the velocities of bodies take rows of one or two
+    /// ([`Self::is_of_pairs`]).
     ///
     /// # Errors
     /// When there are no or more than four bodies, a body is unknown or named twice, a block has the wrong length, or
@@ -167,8 +170,8 @@ impl ContactProblem {
         self.push(entries, Sign::Pushes)
     }
 
-    /// Adds a row of a joint or along a tangent: its acceleration (velocity) is zero, whatever the sign of its force. As
-    /// [`push_row`](Self::push_row).
+    /// Adds a row of a joint or along a tangent: its acceleration (velocity) is zero, whatever the sign of its force.
+    /// As [`push_row`](Self::push_row).
     ///
     /// # Errors
     /// Those of [`push_row`](Self::push_row).
@@ -188,8 +191,8 @@ impl ContactProblem {
     /// ```
     ///
     /// # Errors
-    /// Those of [`push_row`](Self::push_row); when the law is of another number of rows; when its friction is negative or not
-    /// finite. No row is added then.
+    /// Those of [`push_row`](Self::push_row); when the law is of another number of rows; when its friction is negative
+    /// or not finite. No row is added then.
     pub fn push_block(&mut self, law: Law, rows: &[&RowEntries<'_>]) -> Result<Range<usize>, ResponseError> {
         if law.rows() != rows.len() {
             return Err(ResponseError::BlockRows { expected: law.rows(), found: rows.len() });
@@ -426,7 +429,8 @@ impl ContactProblem {
         (0..usize::from(bodies.count)).map(move |slot| self.entry(row, slot))
     }
 
-    /// `J M^-1 J^T` of one row with itself, 1/kg: what a unit force along it does along it; zero of a row that does not exist.
+    /// `J M^-1 J^T` of one row with itself, 1/kg: what a unit force along it does along it; zero of a row that does not
+    /// exist.
     pub fn mobility(&self, row: usize) -> f64 {
         let own = |entry: RowEntry<'_>| dot(entry.jacobian, entry.response);
         if row < self.len() { self.entries(row).map(own).sum() } else { 0.0 }
@@ -484,8 +488,8 @@ fn push_products<const N: usize>(products: &mut Vec<f64>, matrix: &[f64], vector
     }
 }
 
-/// Whether a matrix is symmetric and positive semidefinite to rounding, by `L D L^T` with zero pivots allowed; `reduced` is room
-/// to work in.
+/// Whether a matrix is symmetric and positive semidefinite to rounding, by `L D L^T` with zero pivots allowed;
+/// `reduced` is room to work in.
 fn is_semidefinite(matrix: &[f64], width: usize, reduced: &mut Vec<f64>) -> bool {
     let at = |row: usize, column: usize| matrix[row * width + column];
     reduced.clear();

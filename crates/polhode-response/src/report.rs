@@ -128,8 +128,8 @@ pub struct SolverReport {
     /// What the answer takes for rounding in the constant terms, in their unit: the
     /// [`noise_floor`](crate::SolverSettings::noise_floor) of the settings, or more where an answer was found only so.
     pub noise_floor: f64,
-    /// The residual that rounding of the terms of the problem alone leaves, where it is known (relative): large forces that cancel
-    /// leave more. A solution to this is solved as exactly as its numbers allow.
+    /// The residual that rounding of the terms of the problem alone leaves, where it is known (relative): large forces
+    /// that cancel leave more. A solution to this is solved as exactly as its numbers allow.
     pub rounding: f64,
 }
 

@@ -20,8 +20,8 @@ pub struct SolverSettings {
     /// Singular directions of `J` below this fraction of its columns count as zero when forces are chosen by least
     /// norm.
     pub null_space_cut: f64,
-    /// Rounding error that the constant terms `b` already carry, in the unit of `b`: smaller `w` count as zero. Where no answer
-    /// is found with it, 64 roundings of the largest `b` are tried.
+    /// Rounding error that the constant terms `b` already carry, in the unit of `b`: smaller `w` count as zero. Where
+    /// no answer is found with it, 64 roundings of the largest `b` are tried.
     pub noise_floor: f64,
     /// Limit of pivots for each row before the fallbacks are tried.
     pub pivots_per_row: u32,

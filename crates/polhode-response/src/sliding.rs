@@ -1,7 +1,8 @@
 //! Rows that are held while contacts slide.
 //!
 //! A contact that slides along the unit vector `d` bears, besides its normal force `f_n`, the force `-mu f_n d`. With
-//! the rows `E` whose accelerations are zero and the rows `D` along the directions of sliding, the forces of `E` satisfy
+//! the rows `E` whose accelerations are zero and the rows `D` along the directions of sliding, the forces of `E`
+//! satisfy
 //!
 //! `(G_EE - G_ED diag(mu) S) f + b = 0`,
 //!
@@ -11,12 +12,12 @@
 //!
 //! Method: with rows scaled to unit diagonal of `G`, QR factorisation with column pivoting of the transposed matrix,
 //! which reveals the rank, and one step of iterative refinement. The last columns of `Q` are the forces that hold
-//! nothing; what they can take from the norm of the unscaled forces they do, by least squares. Where masses differ by more
-//! than [`ALIKE_MASSES`](crate::least_norm_hold), forces of heavy bodies cancel on light ones: there the residual is taken in
-//! twice the working precision, and what the forces add up to on each body is rounded once. Source: Golub and Van Loan,
-//! sections 5.4 and 5.5; the equations are those of Pfeiffer and Glocker 1996, chapter 4. Failure: a matrix that is not
-//! finite is refused. Where sliding makes the matrix singular or turns the sign of its determinant (Painleve), the forces
-//! are those of the equations all the same: whether they may act is for the caller to check.
+//! nothing; what they can take from the norm of the unscaled forces they do, by least squares. Where masses differ by
+//! more than [`ALIKE_MASSES`](crate::least_norm_hold), forces of heavy bodies cancel on light ones: there the residual
+//! is taken in twice the working precision, and what the forces add up to on each body is rounded once. Source: Golub
+//! and Van Loan, sections 5.4 and 5.5; the equations are those of Pfeiffer and Glocker 1996, chapter 4. Failure: a
+//! matrix that is not finite is refused. Where sliding makes the matrix singular or turns the sign of its determinant
+//! (Painleve), the forces are those of the equations all the same: whether they may act is for the caller to check.
 
 #[cfg(feature = "census")]
 use crate::census::{self, Chain, Size};
@@ -35,8 +36,8 @@ use polhode_spatial::DoubleDouble;
 /// that contacts that are 1e-5 of the lever arm apart are taken as one.
 pub(crate) const DEPENDENT_COLUMN: f64 = 1e-10;
 
-/// Forces that accelerate every row by less than this fraction of what forces would one by one move nothing (no unit, 1e-12 to 1e-6):
-/// far above the rounding of the sums, and below what directions of slip that are nearly one make.
+/// Forces that accelerate every row by less than this fraction of what forces would one by one move nothing (no unit,
+/// 1e-12 to 1e-6): far above the rounding of the sums, and below what directions of slip that are nearly one make.
 const MOVES: f64 = 1e-8;
 
 /// Steps of iterative refinement: the first brings the residual to rounding.
@@ -53,8 +54,8 @@ pub struct SlidingRow {
     pub coefficient: f64,
 }
 
-/// The forces (N) of all rows of `problem`, whose Delassus matrix is `delassus`: the least ones that hold the first rows, one
-/// for each of `b` (m/s^2), at zero acceleration, and friction along the rows of `sliding`.
+/// The forces (N) of all rows of `problem`, whose Delassus matrix is `delassus`: the least ones that hold the first
+/// rows, one for each of `b` (m/s^2), at zero acceleration, and friction along the rows of `sliding`.
 ///
 /// ```
 /// use polhode_response::{ContactProblem, SlidingRow, least_norm_sliding_forces};
@@ -182,9 +183,9 @@ pub(crate) fn held_by_forces(delassus: &Delassus, held: usize, sliding: &[Slidin
 
 /// Whether the motion depends on which of the forces that hold all rows are chosen: whether some of them, `z`, hold
 /// nothing and move the bodies nevertheless, by the friction of contacts that slide in different directions. The rows
-/// are those of [`least_norm_sliding_forces`], and `forces` its answer; the first `pushing` of them can only push, so that a single
-/// `z` can be added only as far as none of them would pull. Where `f + s z` with `s_0 <= s <= s_1` is all that holds, the answer is
-/// no where `s_1 - s_0` is rounding, however much `z` itself would move.
+/// are those of [`least_norm_sliding_forces`], and `forces` its answer; the first `pushing` of them can only push, so
+/// that a single `z` can be added only as far as none of them would pull. Where `f + s z` with `s_0 <= s <= s_1` is all
+/// that holds, the answer is no where `s_1 - s_0` is rounding, however much `z` itself would move.
 ///
 /// # Errors
 /// When a row does not exist, or a number is not finite.
@@ -293,8 +294,8 @@ mod tests {
         }
     }
 
-    /// Four feet under a beam of 1 kg and 1 kg m^2, at other distances to the left than to the right, its centre of mass
-    /// at their height: least are the forces that are linear in the place.
+    /// Four feet under a beam of 1 kg and 1 kg m^2, at other distances to the left than to the right, its centre of
+    /// mass at their height: least are the forces that are linear in the place.
     #[test]
     fn sliding_feet_bear_forces_that_are_linear_in_their_places() {
         let feet = [-2.0, -0.5, 0.3, 4.0];

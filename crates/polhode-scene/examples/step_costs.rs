@@ -1,8 +1,8 @@
 //! What the steps of a scene cost: times and factorisations, as distributions.
 //!
-//! `cargo run --release -p polhode-scene --example step_costs -- SCENE...` prints for each scene file the time of a step (median,
-//! 99 % of them, largest), the factorisations of a step (the same), the largest residual, and the time of the first
-//! step, which starts from nothing.
+//! `cargo run --release -p polhode-scene --example step_costs -- SCENE...` prints for each scene file the time of a
+//! step (median, 99 % of them, largest), the factorisations of a step (the same), the largest residual, and the time of
+//! the first step, which starts from nothing.
 
 use polhode::Simulation;
 use polhode_scene::load;

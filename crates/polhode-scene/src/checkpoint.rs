@@ -1,7 +1,8 @@
 //! Checkpoints: a run that can be continued later.
 //!
 //! A checkpoint holds where the scene file is, what was set from outside, and a [`Snapshot`]. Nothing else is needed to
-//! continue but the scene file with its meshes; that these are still the same is known from the snapshot's hash of the scene.
+//! continue but the scene file with its meshes; that these are still the same is known from the snapshot's hash of the
+//! scene.
 //!
 //! | bytes | holds |
 //! |---|---|
@@ -91,7 +92,8 @@ pub enum CheckpointError {
         path: PathBuf,
     },
     /// The file is no checkpoint.
-    #[error("{} is no checkpoint: it does not begin with `polhode checkpoint 1` and a line of settings", path.display())]
+    #[error("{} is no checkpoint: it does not begin with `polhode checkpoint 1` and a line of \
+        settings", path.display())]
     NotACheckpoint {
         /// The file.
         path: PathBuf,
@@ -178,7 +180,8 @@ impl Checkpoint {
         Ok(Self { scene: PathBuf::from(header.scene), overrides, snapshot })
     }
 
-    /// Loads the scene and makes a simulation that goes on from here; `path` is that of the checkpoint, which errors name.
+    /// Loads the scene and makes a simulation that goes on from here; `path` is that of the checkpoint, which errors
+    /// name.
     ///
     /// # Errors
     /// When the scene cannot be loaded, or has changed since.

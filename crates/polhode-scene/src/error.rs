@@ -29,7 +29,8 @@ pub enum SceneFileError {
         source: io::Error,
     },
     /// The file is larger than any scene.
-    #[error("{} is larger than {limit} bytes, which no scene is: shapes of many points belong into mesh files", path.display())]
+    #[error("{} is larger than {limit} bytes, which no scene is: shapes of many points belong into mesh \
+        files", path.display())]
     TooLarge {
         /// The file.
         path: PathBuf,
@@ -236,7 +237,8 @@ pub enum Refusal {
     },
     /// The region of a drop is too small for its bodies.
     #[error(
-        "the region has room for {room} of {count} bodies, each in a ball of {ball_m} m in diameter: a larger `size` or a smaller `count` is needed"
+        "the region has room for {room} of {count} bodies, each in a ball of {ball_m} m in diameter: a larger `size` \
+         or a smaller `count` is needed"
     )]
     NoRoom {
         /// How many bodies there are.
@@ -361,7 +363,8 @@ pub enum Refusal {
     Approximate(ApproximateError),
     /// Approximate convex parts fill a mesh less well than demanded.
     #[error(
-        "the volume of the {parts} convex parts differs from that of the solid by {found:e} of it, the limit is {limit:e}: allow more `parts`, a larger `error`, or leave `approximate` out for exact parts"
+        "the volume of the {parts} convex parts differs from that of the solid by {found:e} of it, the limit is \
+         {limit:e}: allow more `parts`, a larger `error`, or leave `approximate` out for exact parts"
     )]
     ApproximateVolume {
         /// How many parts there are.
@@ -420,7 +423,8 @@ impl Refusal {
     pub(crate) fn accepted(&self) -> Option<String> {
         match self {
             Self::UnknownKey { key, accepted } if is_of_material(key, accepted) => Some(format!(
-                "`{key}` is a key of a material: write it below [materials.NAME], and `material = \"NAME\"` here; accepted: {accepted}"
+                "`{key}` is a key of a material: write it below [materials.NAME], and `material = \"NAME\"` here; \
+                 accepted: {accepted}"
             )),
             Self::UnknownKey { key: word, accepted } | Self::UnknownValue { value: word, accepted } => {
                 Some(format!("{}accepted: {accepted}", meant(word, accepted)))
@@ -491,10 +495,14 @@ fn plain(text: &str, kinds: Kinds) -> String {
             Kinds::Shapes => "a shape with its keys, such as shape.box.size = [1, 1, 1]",
             Kinds::Forces => "a force with its keys, such as type.torque = { body = \"wheel\", torque = [0, 0, 1] }",
             Kinds::Joints => {
-                "a joint with its keys, such as type.hinge = { bodies = [\"door\"], anchor = [0, 0, 0], axis = [0, 0, 1] }"
+                "a joint with its keys, such as type.hinge = { bodies = [\"door\"], anchor = [0, 0, 0], axis = [0, 0, \
+                 1] }"
             }
             Kinds::Layouts => "a layout with its keys, such as layout.pyramid = { base = 10, spacing = [0.44, 0.4] }",
-            Kinds::Curves => "a curve with its keys, such as curve.circle = { center = [0, 0, 0], axis = [0, 1, 0], radius = 1 }",
+            Kinds::Curves => {
+                "a curve with its keys, such as curve.circle = { center = [0, 0, 0], axis = [0, 1, 0], \
+                radius = 1 }"
+            }
             Kinds::Motions => "a motion with its keys, such as motion.constant.velocity = [1, 0, 0]",
         }
         .to_owned(),
@@ -548,8 +556,8 @@ pub fn weld_tolerance(distance_m: f64) -> String {
     if distance_m == 0.0 { String::new() } else { format!(" --weld-tolerance {distance_m:e}") }
 }
 
-/// How the overlaps of a start are mended, when they are small: the overlap that counts as touch is 1e-9 of a body's size,
-/// and what a file of few digits gives is below a thousandth.
+/// How the overlaps of a start are mended, when they are small: the overlap that counts as touch is 1e-9 of a body's
+/// size, and what a file of few digits gives is below a thousandth.
 fn mend(pairs: &[OverlapAtStart]) -> Option<String> {
     let deepest_m = pairs.iter().map(|pair| pair.depth_m).fold(0.0, f64::max);
     let is_small = pairs.iter().all(|pair| pair.depth_m <= MENDED_OF_TOUCH * pair.allowed_m);
@@ -562,8 +570,8 @@ fn mend(pairs: &[OverlapAtStart]) -> Option<String> {
 /// Overlaps up to this many times the one that counts as touch are taken for the rounding of a file.
 const MENDED_OF_TOUCH: f64 = 1e6;
 
-/// How many slips of the pen (a character put in, left out, replaced, or exchanged with its neighbour) make `b` of `a`, of
-/// the first [`COMPARED`] characters of each.
+/// How many slips of the pen (a character put in, left out, replaced, or exchanged with its neighbour) make `b` of `a`,
+/// of the first [`COMPARED`] characters of each.
 fn edits(a: &str, b: &str) -> usize {
     let [a, b] = [a, b].map(|word| word.chars().take(COMPARED).collect::<String>());
     strsim::osa_distance(&a, &b)

@@ -16,6 +16,13 @@
 //! | [`shown`] | what pages and plots say of a run |
 //! | [`mesh_file`], [`mesh_report`] | mesh files; diagnosis and mass properties |
 //! | [`names`] | words for methods |
+//! | `build` | from the format to the engine's scene |
+//! | `document` | a scene file that knows where each of its values stands |
+//! | `robot` | robots from URDF and MJCF files |
+//! | `csv` | comma-separated values |
+//! | `trajectory_rows` | the rows of a trajectory in a CSV file, read one by one |
+//! | `scaled_arrays` | the arrays of a scene with another number of bodies |
+//! | `mesh_file_error` | why a mesh file could not be used |
 //!
 //! ```
 //! let text = r#"

@@ -40,7 +40,8 @@ impl LoadedScene {
         &self.file.arrays
     }
 
-    /// The names of the joints by their handles: those of the file, and of robots; a joint without a name has its number, counted from 1.
+    /// The names of the joints by their handles: those of the file, and of robots; a joint without a name has its
+    /// number, counted from 1.
     pub fn joint_names(&self) -> Vec<String> {
         let count = self.scene.joints().len();
         let mut names: Vec<String> = (1..=count).map(|number| format!("joint {number}")).collect();
@@ -71,8 +72,8 @@ impl LoadedScene {
         self.file.description.as_deref().and_then(on_one_line)
     }
 
-    /// What has set a key from outside the file (the origin of the last [`Override`] of it); none when the file itself does, or
-    /// nothing.
+    /// What has set a key from outside the file (the origin of the last [`Override`] of it); none when the file itself
+    /// does, or nothing.
     pub fn set_by(&self, key: &str) -> Option<&str> {
         self.document.set_by(key)
     }
@@ -82,8 +83,8 @@ impl LoadedScene {
         self.robots.iter().flat_map(|robot| robot.findings.iter())
     }
 
-    /// Examines the robots of the scene: whether masses and inertias fit the shapes, whether meshes are sound, and which links
-    /// overlap at the start. It reads their meshes, which may take seconds.
+    /// Examines the robots of the scene: whether masses and inertias fit the shapes, whether meshes are sound, and
+    /// which links overlap at the start. It reads their meshes, which may take seconds.
     pub fn examine_robots(&self) -> Vec<Finding> {
         self.robots.iter().flat_map(|robot| robot::examine(&robot.robot, &robot.placement)).collect()
     }
@@ -100,8 +101,8 @@ fn on_one_line(text: &str) -> Option<String> {
     (!words.is_empty()).then(|| words.join(" "))
 }
 
-/// Loads a scene from a file. Paths of meshes are relative to the file. A robot file (`.urdf`, `.xml`, `.mjcf`) stands for a scene
-/// of the robot, for two seconds, with a floor below it unless the world holds it.
+/// Loads a scene from a file. Paths of meshes are relative to the file. A robot file (`.urdf`, `.xml`, `.mjcf`) stands
+/// for a scene of the robot, for two seconds, with a floor below it unless the world holds it.
 ///
 /// # Errors
 /// [`SceneFileError`]: the file, its text, a key or a value is refused, with the place and the line.

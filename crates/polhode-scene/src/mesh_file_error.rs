@@ -25,7 +25,8 @@ pub enum MeshFileError {
         limit: u64,
     },
     /// Neither the ending of the name nor the content is that of a format.
-    #[error("{}: this is no mesh file: accepted are {}, by the ending of the name or by content", path.display(), MeshFormat::LIST)]
+    #[error("{}: this is no mesh file: accepted are {}, by the ending of the name or by \
+        content", path.display(), MeshFormat::LIST)]
     Format {
         /// The file.
         path: PathBuf,

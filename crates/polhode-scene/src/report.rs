@@ -264,7 +264,8 @@ pub fn plan_with_accelerations_json(scene: &Scene, plan: &Plan, accelerations: &
     value
 }
 
-/// How far bodies at rest are from moving. `of_weight` is null where nothing holds them, and `"any"` where no push moves them.
+/// How far bodies at rest are from moving. `of_weight` is null where nothing holds them, and `"any"` where no push
+/// moves them.
 pub fn stability_json(scene: &Scene, stability: &Stability) -> Value {
     let begins = |moving: &[MovingBody]| {
         let one = |moving: &MovingBody| {

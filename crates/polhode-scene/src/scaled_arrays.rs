@@ -1,6 +1,8 @@
-//! The arrays of a scene with another number of bodies: how cost grows with it is measured by the same scene in other sizes.
+//! The arrays of a scene with another number of bodies: how cost grows with it is measured by the same scene in other
+//! sizes.
 //!
-//! All arrays of bodies that move are scaled by one factor, each in its own way, so that what the scene is stays what it is:
+//! All arrays of bodies that move are scaled by one factor, each in its own way, so that what the scene is stays what
+//! it is:
 //!
 //! | layout | what changes |
 //! |---|---|
@@ -9,7 +11,8 @@
 //! | `wall` | length and height by the same factor |
 //! | `drop` | the count, and the height of the region with it |
 //!
-//! Numbers of bodies are whole, so that the scene has nearly as many as are asked for; how many is read from the scene that comes of it.
+//! Numbers of bodies are whole, so that the scene has nearly as many as are asked for; how many is read from the scene
+//! that comes of it.
 
 use crate::document::Override;
 use crate::format::{ArrayEntry, LayoutEntry};
@@ -19,8 +22,8 @@ use crate::load::LoadedScene;
 const FEWEST_IN_COURSE: f64 = 2.0;
 
 impl LoadedScene {
-    /// The changes that give the arrays of moving bodies about so many bodies together; none where the scene has no such array.
-    /// `origin` is what errors name as their place.
+    /// The changes that give the arrays of moving bodies about so many bodies together; none where the scene has no
+    /// such array. `origin` is what errors name as their place.
     pub fn scaled_to(&self, bodies: u32, origin: &str) -> Option<Vec<Override>> {
         let arrays: Vec<(usize, &ArrayEntry)> =
             self.arrays().iter().enumerate().filter(|(_, array)| !array.fixed).collect();

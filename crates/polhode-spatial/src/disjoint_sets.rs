@@ -1,7 +1,7 @@
 //! Which of some members are connected, directly or by others: union-find.
 //!
-//! A set is known by its smallest member, so that sets do not depend on the order in which members were joined. Paths are
-//! halved as they are followed. Source: docs/REFERENCES.md, Tarjan and van Leeuwen 1984.
+//! A set is known by its smallest member, so that sets do not depend on the order in which members were joined. Paths
+//! are halved as they are followed. Source: docs/REFERENCES.md, Tarjan and van Leeuwen 1984.
 
 /// Members `0..n` in disjoint sets.
 #[derive(Debug, Clone, PartialEq, Eq)]

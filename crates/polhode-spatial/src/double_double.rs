@@ -1,8 +1,8 @@
 //! Numbers of twice the working precision, without fused multiply-add: the same bits on every platform.
 //!
-//! A number is an unevaluated sum `high + low`. Source: Dekker 1971 (splitting, product, quotient, square root), Knuth's
-//! two-sum; Hida, Li and Bailey 2001. Errors are below 1e-31 of the terms. Assumption: magnitudes from 1e-260 to 1e292;
-//! beyond it the splitting overflows and the result is not finite, below it the low part is lost.
+//! A number is an unevaluated sum `high + low`. Source: Dekker 1971 (splitting, product, quotient, square root),
+//! Knuth's two-sum; Hida, Li and Bailey 2001. Errors are below 1e-31 of the terms. Assumption: magnitudes from 1e-260
+//! to 1e292; beyond it the splitting overflows and the result is not finite, below it the low part is lost.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 

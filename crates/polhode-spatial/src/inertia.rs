@@ -45,7 +45,8 @@ pub enum InertiaError {
     NotPositive(f64),
     /// The triangle inequality fails: no distribution of mass has these moments.
     #[error(
-        "principal moments {}, {}, {} kg m^2 break the triangle inequality (the largest may be at most the sum of the others): no body has them",
+        "principal moments {}, {}, {} kg m^2 break the triangle inequality (the largest may be at most the sum of the \
+         others): no body has them",
         .0.x, .0.y, .0.z
     )]
     TriangleInequality(DVec3),

@@ -22,9 +22,9 @@
 //! | [`split_mix`] | [`SplitMix64`]: pseudo-random numbers, the same everywhere |
 //!
 //! This crate is all that a program needs to name: the vectors, matrices and quaternions of glam that its signatures
-//! speak of are here too, and the crates above it pass all of it on as their module `spatial`, with the names that their
-//! own signatures need. Programs of ten lines stand in the folder `examples` of the crate: `dumbbell` (mass properties of
-//! a body of parts) and `motions_in_closed_form`.
+//! speak of are here too, and the crates above it pass all of it on as their module `spatial`, with the names that
+//! their own signatures need. Programs of ten lines stand in the folder `examples` of the crate: `dumbbell` (mass
+//! properties of a body of parts) and `motions_in_closed_form`.
 //!
 //! ```
 //! use polhode_spatial::{DVec3, Inertia, Mass, MassProperties};

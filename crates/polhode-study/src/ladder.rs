@@ -1,5 +1,6 @@
-//! The candidates when none are asked for: every integrator over steps where nothing can collide; where bodies meet, the tiers over
-//! steps and tolerances, the thesis's own ways to find contact forces, and the impact laws that are not the scene's.
+//! The candidates when none are asked for: every integrator over steps where nothing can collide; where bodies meet,
+//! the tiers over steps and tolerances, the thesis's own ways to find contact forces, and the impact laws that are not
+//! the scene's.
 
 use crate::candidate::{Candidate, change};
 use polhode::scene::{ContactMethod, ImpactLaw, Integrator, Response, Tier, TierFeature};
@@ -228,8 +229,9 @@ fn other_laws(facts: &SceneFacts) -> impl Iterator<Item = Series> {
     })
 }
 
-/// A candidate between two of one series, the second finer than the first: with a ladder of wide rungs, the first setting that reaches
-/// an error may be far better than needed. None where the setting is no number, or nothing lies between.
+/// A candidate between two of one series, the second finer than the first: with a ladder of wide rungs, the first
+/// setting that reaches an error may be far better than needed. None where the setting is no number, or nothing lies
+/// between.
 pub fn between(coarse: &Candidate, fine: &Candidate, duration_s: f64) -> Option<Candidate> {
     let (first, second) = (coarse.changes.last()?, fine.changes.last()?);
     let values: [f64; 2] = [first.value.parse().ok()?, second.value.parse().ok()?];

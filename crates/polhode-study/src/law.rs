@@ -1,7 +1,7 @@
 //! The law by which a method lets bodies meet: its model of contact, apart from how exactly it computes that.
 //!
-//! A method is judged by the limit of its own law. How far that limit is from the limit of the scene's law is no error of the
-//! method, and is told beside.
+//! A method is judged by the limit of its own law. How far that limit is from the limit of the scene's law is no error
+//! of the method, and is told beside.
 
 use crate::candidate::change;
 use polhode::Plan;

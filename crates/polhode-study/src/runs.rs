@@ -120,8 +120,9 @@ impl<'a> Runs<'a> {
         compared
     }
 
-    /// Adds, to every series that one rung brings to `target` and the rung before does not, the setting between the two, while the time
-    /// of the series allows it. A law of its own keeps its rungs: the finest of them is its reference.
+    /// Adds, to every series that one rung brings to `target` and the rung before does not, the setting between the
+    /// two, while the time of the series allows it. A law of its own keeps its rungs: the finest of them is its
+    /// reference.
     pub(crate) fn refine(&mut self, references: &mut Vec<Reference>, compared: &mut Vec<Compared>, target: f64) {
         let mut added = Vec::new();
         for (place, pair) in compared.windows(2).enumerate() {
@@ -240,8 +241,8 @@ fn difference(references: &[Reference], [base, own]: [usize; 2], run: &Completed
     Ok(Difference { errors, energy_error: energy_error(&run.report), steps, solver, law })
 }
 
-/// Judges runs of laws of which no other method knows the limit by the finest run of their series. The finest itself is as far from
-/// the limit as the second finest is from it, at the most.
+/// Judges runs of laws of which no other method knows the limit by the finest run of their series. The finest itself is
+/// as far from the limit as the second finest is from it, at the most.
 fn judge_by_own_finest(references: &mut Vec<Reference>, compared: &mut [Compared], mut runs: Vec<OfOwnLaw>) {
     while let Some(finest) = runs.pop() {
         let series = compared[finest.number].candidate.series.clone();

@@ -93,7 +93,8 @@ impl Study {
     /// Runs, times and judges the candidates of `axes`, or the default ones when there are none.
     ///
     /// # Errors
-    /// When the scene, `axes` or the target are refused, there is no reference to compare with, or the host ends the study.
+    /// When the scene, `axes` or the target are refused, there is no reference to compare with, or the host ends the
+    /// study.
     pub fn run(source: &Source<'_>, axes: &[Axis], options: &Options) -> Result<Self, StudyError> {
         if let Some(value) = options.target.filter(|target| !(*target > 0.0 && target.is_finite())) {
             return Err(StudyError::Accuracy { value });
@@ -125,8 +126,8 @@ impl Study {
         Ok(Self { scene, duration_s, references, entries, base, counting: options.counting, samples: options.samples })
     }
 
-    /// The cheapest candidate that is known to be within `target` of the limit of the scene's law: what another law makes of the
-    /// scene counts here.
+    /// The cheapest candidate that is known to be within `target` of the limit of the scene's law: what another law
+    /// makes of the scene counts here.
     pub fn cheapest(&self, target: f64) -> Option<&Entry> {
         let points = points(&self.entries, &self.references, Charged::MethodAndLaw);
         front::cheapest(&points, target).and_then(|number| self.entries.get(number))
@@ -146,8 +147,8 @@ impl Study {
         })
     }
 
-    /// The others that reach `target`, and whose cost cannot be told from that of the cheapest: within the noise of timing,
-    /// or because they made the same run.
+    /// The others that reach `target`, and whose cost cannot be told from that of the cheapest: within the noise of
+    /// timing, or because they made the same run.
     pub fn ties(&self, target: f64) -> Vec<&Entry> {
         let Some(cheapest) = self.cheapest(target) else { return Vec::new() };
         let Ok(least) = &cheapest.outcome else { return Vec::new() };
@@ -313,8 +314,8 @@ fn points(entries: &[Entry], references: &[Reference], charged: Charged) -> Vec<
     entries.iter().map(of).collect()
 }
 
-/// Whether two settings of one method made the same run: a tolerance that nothing needs changes neither the steps nor a bit
-/// of the errors.
+/// Whether two settings of one method made the same run: a tolerance that nothing needs changes neither the steps nor a
+/// bit of the errors.
 fn is_same_run(a: &Entry, b: &Entry) -> bool {
     let (Ok(one), Ok(other)) = (&a.outcome, &b.outcome) else { return false };
     let run = |measured: &Measured| {
@@ -341,8 +342,8 @@ mod tests {
         Compared { candidate, reference: 0, outcome }
     }
 
-    /// Four tolerances that made one run are ties, whatever their times; the first of them is named, and no other method is a
-    /// tie for that. (Before, the one whose time happened to be least was named alone.)
+    /// Four tolerances that made one run are ties, whatever their times; the first of them is named, and no other
+    /// method is a tie for that. (Before, the one whose time happened to be least was named alone.)
     #[test]
     fn the_same_run_is_a_tie_whatever_its_time() {
         let entry = |series: &str, rung: &str, ratio: f64, steps: u64| {

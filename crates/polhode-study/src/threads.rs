@@ -4,8 +4,8 @@ use polhode::{Executor, Task};
 use std::num::NonZeroUsize;
 use std::sync::{Mutex, PoisonError};
 
-/// A number of threads, that of the caller among them. The others last as long as the tasks of one list; where the system gives
-/// none, the thread of the caller runs them all.
+/// A number of threads, that of the caller among them. The others last as long as the tasks of one list; where the
+/// system gives none, the thread of the caller runs them all.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Threads(pub NonZeroUsize);
 

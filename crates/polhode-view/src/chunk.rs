@@ -1,12 +1,12 @@
 //! Frames packed into chunks: integers, their second differences, and gzip.
 //!
 //! A body has 13 numbers a frame: position (quanta), orientation (quaternion, 1/32767), velocity and angular velocity
-//! (quanta). Of each number the second differences over the frames of a chunk are stored, so that smooth motion leaves small
-//! numbers, zigzag (`(d << 1) ^ (d >> 31)`) and in four planes of bytes, so that gzip finds the zeros. After them stand,
-//! if asked for, how each body moves, its island, the number of contacts of each frame, and the contacts in columns, which are in
-//! planes of bytes too: a contact differs little from that of the frame before. The load of a joint stands among them as a contact
-//! without a first body: the number of the joint, the place, the direction of its force, and how large that is. `viewer/` has
-//! the reader of this.
+//! (quanta). Of each number the second differences over the frames of a chunk are stored, so that smooth motion leaves
+//! small numbers, zigzag (`(d << 1) ^ (d >> 31)`) and in four planes of bytes, so that gzip finds the zeros. After them
+//! stand, if asked for, how each body moves, its island, the number of contacts of each frame, and the contacts in
+//! columns, which are in planes of bytes too: a contact differs little from that of the frame before. The load of a
+//! joint stands among them as a contact without a first body: the number of the joint, the place, the direction of its
+//! force, and how large that is. `viewer/` has the reader of this.
 
 use crate::quanta::Quanta;
 use flate2::{Compression, GzBuilder};

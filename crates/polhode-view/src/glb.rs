@@ -1,9 +1,10 @@
 //! Animated models: binary glTF 2.0 (`.glb`).
 //!
-//! Every body is a node with its parts as children, every part a node with a mesh. A body that moves has an animation of its
-//! position and its orientation, linear between frames. Players turn a body from one orientation to the next by the shortest
-//! way, which is the wrong one from half a turn on: a body that turns fast has more orientations between two frames. glTF has y up: a root node turns the world. A half-space is a square
-//! as large as what is shown needs. Source: docs/REFERENCES.md, glTF 2.0.
+//! Every body is a node with its parts as children, every part a node with a mesh. A body that moves has an animation
+//! of its position and its orientation, linear between frames. Players turn a body from one orientation to the next by
+//! the shortest way, which is the wrong one from half a turn on: a body that turns fast has more orientations between
+//! two frames. glTF has y up: a root node turns the world. A half-space is a square as large as what is shown needs.
+//! Source: docs/REFERENCES.md, glTF 2.0.
 
 use crate::colors;
 use crate::error::ViewError;
@@ -314,7 +315,8 @@ fn turned_from_z(normal: DVec3) -> Rotation {
     }
 }
 
-/// Largest angle from one orientation to the next, rad: well below half a turn, so that the shortest way is the right one.
+/// Largest angle from one orientation to the next, rad: well below half a turn, so that the shortest way is the right
+/// one.
 const LARGEST_TURN: f64 = 2.0;
 
 /// Orientations between two frames at the most: a body that turns faster than they show is a blur at any rate.

@@ -1,8 +1,8 @@
 //! Runs made visible: one HTML page with a viewer, stills, moving pictures, animated models and plots.
 //!
 //! It shows what it is told and simulates nothing: a [`Scene`](polhode::Scene) gives the bodies, an
-//! [`Observer`](polhode::Observer) or a trajectory gives their motion. It reads no clock, has no global, prints nothing and
-//! writes to whatever is given to it. The same motion gives the same bytes.
+//! [`Observer`](polhode::Observer) or a trajectory gives their motion. It reads no clock, has no global, prints nothing
+//! and writes to whatever is given to it. The same motion gives the same bytes.
 //!
 //! | module | holds |
 //! |---|---|
@@ -19,6 +19,9 @@
 //! | [`glb`] | animated models as binary glTF |
 //! | [`plot`] | figures as SVG |
 //! | [`error`] | [`ViewError`] |
+//! | `colors` | colours of bodies in pictures and models |
+//! | `text` | data as text inside a page |
+//! | `thinning` | leaving out samples that come too often |
 
 pub mod animation;
 pub mod camera;

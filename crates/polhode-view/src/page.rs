@@ -1,9 +1,9 @@
 //! The page writer: one HTML file, written while the run goes on.
 //!
 //! The page is self-contained: style, viewer and motion are inside. It holds one or two runs. A run is an
-//! [`Observer`]: its frames are packed into chunks ([`chunk`](crate::chunk)), of which one is in memory; quantities over time
-//! and events are kept until the end. Layout: the head, the elements of the viewer, the chunks of each run in order, what is
-//! shown as JSON, the report as JSON, the viewer.
+//! [`Observer`]: its frames are packed into chunks ([`chunk`](crate::chunk)), of which one is in memory; quantities
+//! over time and events are kept until the end. Layout: the head, the elements of the viewer, the chunks of each run in
+//! order, what is shown as JSON, the report as JSON, the viewer.
 
 use crate::chunk::{Chunk, ChunkContact, ChunkDetails, NO_ISLAND};
 use crate::error::ViewError;

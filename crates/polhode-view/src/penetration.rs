@@ -1,7 +1,7 @@
 //! How deep bodies overlap, as plots and pages show it.
 //!
-//! The certificate measures penetration where the run makes its steps, a frame shows it at its own time. The largest so far is
-//! of both, so that what is shown now is never above it.
+//! The certificate measures penetration where the run makes its steps, a frame shows it at its own time. The largest so
+//! far is of both, so that what is shown now is never above it.
 
 use polhode::Frame;
 

@@ -1,8 +1,8 @@
 //! Units of the integers that frames are packed as.
 //!
-//! A position is a whole number of quanta, and 2^31 quanta must reach as far as the bodies get. Where that is unknown (the
-//! page is written while the run goes on) it is bounded by the speeds at the start, by gravity and by the duration. A body
-//! that leaves that range stays at its border in the page.
+//! A position is a whole number of quanta, and 2^31 quanta must reach as far as the bodies get. Where that is unknown
+//! (the page is written while the run goes on) it is bounded by the speeds at the start, by gravity and by the
+//! duration. A body that leaves that range stays at its border in the page.
 
 use crate::shown_scene::ShownScene;
 use polhode::Scene;
@@ -12,8 +12,8 @@ use polhode::spatial::DVec3;
 const POSITION_RELATIVE: f64 = 1e-6;
 /// Where bodies have no size, m.
 const POSITION_WITHOUT_SIZE_M: f64 = 1e-6;
-/// Times that a body may be carried by speed and gravity, as a multiple of the size of the whole scene: what goes farther is
-/// out of sight.
+/// Times that a body may be carried by speed and gravity, as a multiple of the size of the whole scene: what goes
+/// farther is out of sight.
 const FARTHEST: f64 = 1e4;
 /// The smallest position quantum is one divided by this, m.
 const MOST_PER_M: f64 = 1e12;

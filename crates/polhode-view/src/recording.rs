@@ -194,14 +194,14 @@ impl Recording {
         }
     }
 
-    /// Corners of the box that a camera looks at in all frames, m: around the bodies that move, and around those standing
-    /// bodies that are near them and of their size. Where none moves, around all.
+    /// Corners of the box that a camera looks at in all frames, m: around the bodies that move, and around those
+    /// standing bodies that are near them and of their size. Where none moves, around all.
     pub fn bounds(&self) -> [DVec3; 2] {
         self.bounds_of(&self.poses)
     }
 
-    /// Corners of the box that a camera looks at in one frame, m: that around the bodies as they stand then; where they are
-    /// too small to be seen beside the path that they have come, around that path and what attracts them.
+    /// Corners of the box that a camera looks at in one frame, m: that around the bodies as they stand then; where they
+    /// are too small to be seen beside the path that they have come, around that path and what attracts them.
     pub fn bounds_at(&self, frame: usize) -> [DVec3; 2] {
         let path = &self.poses[..self.poses.len().min(frame + 1)];
         let mut along = self.bounds_of(path);

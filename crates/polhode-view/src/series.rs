@@ -45,8 +45,8 @@ impl Series {
         }
     }
 
-    /// As a page has them. Those that show nothing are left out: fewer than two numbers, which make no line, and those that are zero
-    /// throughout, but for energies.
+    /// As a page has them. Those that show nothing are left out: fewer than two numbers, which make no line, and those
+    /// that are zero throughout, but for energies.
     pub fn json(&self) -> Value {
         let list = QUANTITIES.iter().zip(&self.values);
         let has_line = |values: &[f64]| values.iter().filter(|value| value.is_finite()).nth(1).is_some();

@@ -8,7 +8,8 @@ use crate::recording::Recording;
 use polhode::spatial::DVec3;
 use std::io::Write;
 
-/// Draws a frame of a recording: the bodies that move, in the middle, from the front, a little from the right and above.
+/// Draws a frame of a recording: the bodies that move, in the middle, from the front, a little from the right and
+/// above.
 pub fn still(recording: &Recording, frame: usize, size: PictureSize) -> Picture {
     let bounds = recording.bounds_at(frame);
     let camera = Camera::for_box(bounds, size.aspect());

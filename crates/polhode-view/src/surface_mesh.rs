@@ -2,7 +2,8 @@
 
 use polhode::spatial::DVec3;
 
-/// A surface to be drawn, m. Where two faces meet at a sharp edge its vertices stand twice, each with the normal of its face.
+/// A surface to be drawn, m. Where two faces meet at a sharp edge its vertices stand twice, each with the normal of its
+/// face.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct SurfaceMesh {
     /// Where the vertices are.

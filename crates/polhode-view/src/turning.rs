@@ -1,15 +1,15 @@
 //! Orientations between two frames, by the angular velocities of both.
 //!
-//! Two orientations alone leave open how often, and which way, a body has turned from one to the other: the shortest way is
-//! wrong from half a turn on. With the mean w of the angular velocities at both ends, a time h apart,
+//! Two orientations alone leave open how often, and which way, a body has turned from one to the other: the shortest
+//! way is wrong from half a turn on. With the mean w of the angular velocities at both ends, a time h apart,
 //!
 //! ```text
 //! R(s) = exp(s rho) exp(s h w) R_0    with    rho = the rotation vector of R_1 (exp(h w) R_0)^-1,    s from 0 to 1
 //! ```
 //!
-//! goes through both orientations; for a constant angular velocity it is exact over any number of turns, and the shortest way
-//! where the body stands. It fails where the angular velocity changes between frames by so much that h w is wrong by half a
-//! turn. The viewer does the same (`viewer/src/rotation.js`).
+//! goes through both orientations; for a constant angular velocity it is exact over any number of turns, and the
+//! shortest way where the body stands. It fails where the angular velocity changes between frames by so much that h w
+//! is wrong by half a turn. The viewer does the same (`viewer/src/rotation.js`).
 
 use polhode::spatial::{DVec3, Rotation};
 

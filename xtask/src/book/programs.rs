@@ -1,7 +1,7 @@
 //! Blocks of Rust, run by rustdoc, and the book, built by mdbook.
 
-use crate::commands;
-use crate::row::Row;
+use polhode_cases::cargo::cargo;
+use polhode_cases::row::Row;
 use std::error::Error;
 use std::path::Path;
 use std::process::{Command, Stdio};
@@ -9,7 +9,7 @@ use std::process::{Command, Stdio};
 /// Runs the programs of all pages, of which there are `count`.
 pub(super) fn rust(case: &str, root: &Path, count: usize) -> Result<Row, Box<dyn Error>> {
     let quantity = "programs in Rust that compile and run";
-    let mut command = commands::cargo(root);
+    let mut command = cargo(root);
     let output = command.args(["test", "--doc", "--package", "xtask"]).stdin(Stdio::null()).output()?;
     let printed = String::from_utf8_lossy(&output.stdout).into_owned();
     if !output.status.success() {

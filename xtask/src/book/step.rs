@@ -3,8 +3,8 @@
 use super::commands::{self, Shell};
 use super::page::{Block, Page, pages_in};
 use super::{links, programs, python, scenes, selections};
-use crate::cases::{CaseResult, Context, guarded};
-use crate::row::Row;
+use polhode_cases::row::Row;
+use polhode_cases::{CaseResult, Context, guarded};
 use std::collections::BTreeSet;
 use std::error::Error;
 use std::path::{Path, PathBuf};
@@ -97,7 +97,8 @@ fn run_page(page: &Page, shell: &Shell<'_>) -> Result<Row, Box<dyn Error>> {
     Ok(judged(&quantity, &faults))
 }
 
-/// Runs the blocks of Python of all pages, where their modules are here. Those of the package itself are run by its tests.
+/// Runs the blocks of Python of all pages, where their modules are here. Those of the package itself are run by its
+/// tests.
 fn run_python(pages: &[Page], shells: &[Shell<'_>]) -> Row {
     let blocks: Vec<(&Page, &Shell<'_>, Block)> = pages
         .iter()

@@ -1,10 +1,10 @@
 //! The scenes of a census: shipped ones, heaps, random mechanisms and random scenes of contacts.
 
 use super::options::Options;
-use crate::random_mechanism::generate as mechanisms;
-use crate::random_mechanism::placement::Placement;
-use crate::random_scene::generate as contacts;
 use crate::verify::workspace_root;
+use polhode_oracles::random_mechanism::generate as mechanisms;
+use polhode_oracles::random_mechanism::placement::Placement;
+use polhode_oracles::random_scene::generate as contacts;
 use polhode_scene::Override;
 use std::error::Error;
 use std::path::PathBuf;

@@ -1,7 +1,7 @@
 //! `cargo xtask cross`: whether the golden trajectories have the same bits on other platforms.
 //!
-//! The program `strict-hash` (`xtask/strict-hash`) is built for each platform and runs the shipped scenes there: as it is
-//! on the platform of this machine, emulated by qemu or in wasmtime on others. Its hashes are compared with those in
+//! The program `strict-hash` (`xtask/strict-hash`) is built for each platform and runs the shipped scenes there: as it
+//! is on the platform of this machine, emulated by qemu or in wasmtime on others. Its hashes are compared with those in
 //! `fixtures/golden`. A platform whose tools are not on this machine is skipped, and the reason says what to install.
 //! With `--repeat-steps` each step of a run is made twice from a snapshot.
 //!
@@ -21,14 +21,14 @@ mod program;
 mod runs;
 mod tools;
 
-use crate::cases::{Amount, Context};
 use crate::golden;
-use crate::row::{Row, Verdict};
 use crate::table::Counts;
 use crate::verify::EXIT_FAILED;
 use clap::{Args, ValueEnum};
 use machine::ThisMachine;
 use platform::Platform;
+use polhode_cases::row::{Row, Verdict};
+use polhode_cases::{Amount, Context};
 use program::Program;
 use std::error::Error;
 use std::path::Path;
@@ -69,7 +69,8 @@ pub(crate) struct Options {
 #[derive(Debug)]
 struct Golden {
     scene: String,
-    /// The scene file, as the program is given it: relative to the workspace, which a sandbox may have as its only folder.
+    /// The scene file, as the program is given it: relative to the workspace, which a sandbox may have as its only
+    /// folder.
     file: String,
     hash: u64,
 }
@@ -154,7 +155,7 @@ fn line(row: &Row) -> String {
     if let Some(note) = &row.note {
         line = format!("{line}: {note}");
     } else if row.verdict == Verdict::Fails {
-        let words = |value: Option<&crate::row::Value>| value.map_or_else(String::new, crate::table::words);
+        let words = |value: Option<&polhode_cases::row::Value>| value.map_or_else(String::new, crate::table::words);
         line = format!("{line}: golden {}, there {}", words(row.reference.as_ref()), words(Some(&row.measured)));
     }
     line

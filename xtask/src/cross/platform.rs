@@ -69,7 +69,8 @@ const WASM: Facts = Facts {
     codegen: &[],
     // The program runs in the folder of the workspace and opens files of this folder alone.
     runners: &[&["wasmtime", "run", "--dir=."], &["python3", "xtask/strict-hash/run_wasm.py"]],
-    install: "rustup target add wasm32-wasip1; wasmtime (https://wasmtime.dev, or the Python package: pip install wasmtime)",
+    install: "rustup target add wasm32-wasip1; wasmtime (https://wasmtime.dev, or the Python package: pip install \
+        wasmtime)",
 };
 
 impl Platform {

@@ -1,7 +1,7 @@
 //! The program that prints strict hashes, built for a platform.
 
 use super::tools::Tools;
-use crate::commands;
+use polhode_cases::cargo::cargo;
 use serde::Deserialize;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
@@ -29,7 +29,7 @@ impl Program {
     /// # Errors
     /// When it cannot be built.
     pub(super) fn build(root: &Path, tools: &Tools) -> Result<Self, String> {
-        let mut command = commands::cargo(root);
+        let mut command = cargo(root);
         command.args(["rustc", "--release", "--package", NAME, "--bin", NAME]);
         command.args(["--message-format", "json-render-diagnostics"]);
         if let Tools::Cross(tools) = tools {

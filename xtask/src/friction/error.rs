@@ -37,7 +37,8 @@ impl ProblemFileError {
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub(crate) enum Fault {
     /// The file ends before its numbers do.
-    #[error("the file ends here, but {expected} more {} {what} must follow", if *expected == 1 { "number of" } else { "numbers of" })]
+    #[error("the file ends here, but {expected} more {} {what} must \
+        follow", if *expected == 1 { "number of" } else { "numbers of" })]
     CutOff {
         /// What is missing.
         what: &'static str,

@@ -32,15 +32,16 @@ const NOT_READ: u8 = 3;
 
 /// Arguments of the command.
 ///
-/// The residual is the natural map with De Saxce's correction, relative to the largest velocity without reactions: the largest
-/// over all contacts of |r - P_K(r - u'/g)| g / max|q|, with u = M r + q, u' = u + mu |u_t| n, g the normal diagonal entry of the
-/// contact in M and P_K the projection on its cone |r_t| <= mu r_n. It has no unit and is zero exactly at a solution.
+/// The residual is the natural map with De Saxce's correction, relative to the largest velocity without reactions: the
+/// largest over all contacts of |r - P_K(r - u'/g)| g / max|q|, with u = M r + q, u' = u + mu |u_t| n, g the normal
+/// diagonal entry of the contact in M and P_K the projection on its cone |r_t| <= mu r_n. It has no unit and is zero
+/// exactly at a solution.
 ///
-/// With --json: [{file, contacts, dimension, status, residual, method, iterations, seconds, reactions, squeeze}], a reaction
-/// being [n, t1, t2], or [n, t] in a file of dimension 2. Status is solved, inaccurate or infeasible; of an infeasible problem
-/// `squeeze` holds normal reactions that move nothing (M z = 0) with q.z < 0, which proves that no reactions keep all normal
-/// velocities from being negative. Times are the shortest of five runs, reading not included. Exit code: 0, 1 when a
-/// problem is inaccurate, 2 when a file is wrong, 3 when it cannot be read.
+/// With --json: [{file, contacts, dimension, status, residual, method, iterations, seconds, reactions, squeeze}], a
+/// reaction being [n, t1, t2], or [n, t] in a file of dimension 2. Status is solved, inaccurate or infeasible; of an
+/// infeasible problem `squeeze` holds normal reactions that move nothing (M z = 0) with q.z < 0, which proves that no
+/// reactions keep all normal velocities from being negative. Times are the shortest of five runs, reading not included.
+/// Exit code: 0, 1 when a problem is inaccurate, 2 when a file is wrong, 3 when it cannot be read.
 #[derive(Debug, Args)]
 #[command(verbatim_doc_comment)]
 pub(crate) struct Options {

@@ -1,12 +1,12 @@
-//! Frictional contact problems as text: the `.dat` form of the test data of Siconos (docs/REFERENCES.md, Acary, Bremond and
-//! Huber 2018).
+//! Frictional contact problems as text: the `.dat` form of the test data of Siconos (docs/REFERENCES.md, Acary, Bremond
+//! and Huber 2018).
 //!
-//! Dimension `d` (2 or 3), number of contacts `n`, the matrix, `d n` constants, `n` coefficients of friction, and at the end a
-//! flag or nothing. The matrix starts with its storage, rows and columns. Storage 0, dense: rows and columns once more, then the
-//! values, column after column. Storage 1, blocks: the numbers of blocks, block rows and block columns, the cumulated sizes of
-//! block rows and of block columns, the lengths of two lists of indices, the first block of each block row (with one more at the
-//! end), the block column of each block, and then for each block its number and its values, column after column. In each
-//! contact the normal component comes first.
+//! Dimension `d` (2 or 3), number of contacts `n`, the matrix, `d n` constants, `n` coefficients of friction, and at
+//! the end a flag or nothing. The matrix starts with its storage, rows and columns. Storage 0, dense: rows and columns
+//! once more, then the values, column after column. Storage 1, blocks: the numbers of blocks, block rows and block
+//! columns, the cumulated sizes of block rows and of block columns, the lengths of two lists of indices, the first
+//! block of each block row (with one more at the end), the block column of each block, and then for each block its
+//! number and its values, column after column. In each contact the normal component comes first.
 
 use super::error::{Fault, ProblemFileError};
 use polhode::response::Law;
@@ -257,7 +257,8 @@ impl<'a> Words<'a> {
 
 #[cfg(test)]
 mod tests {
-    //! A file is read as it is meant, and what is wrong in one is named with its line. A wrong file must never pass for a problem.
+    //! A file is read as it is meant, and what is wrong in one is named with its line. A wrong file must never pass for
+    //! a problem.
     #![allow(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
     use super::*;
 
@@ -314,7 +315,15 @@ mod tests {
         // Fewer contacts than the matrix has, and numbers left over.
         assert_eq!(with(2, "1").0, 4);
         assert_eq!(with(2, "18446744073709551615").0, 4);
-        assert_eq!(with(20, "0.5 0.75 1 2"), (20, "2 more numbers than the counts of the file ask for begin here; a single flag may follow the coefficients".to_owned()));
+        assert_eq!(
+            with(20, "0.5 0.75 1 2"),
+            (
+                20,
+                "2 more numbers than the counts of the file ask for begin here; a \
+            single flag may follow the coefficients"
+                    .to_owned()
+            )
+        );
         // A block given twice: the columns of the second row are 0 and 0.
         let (line, fault) = with(10, "0 1 0 0");
         assert!(line == 18 && fault.contains("twice"), "line {line}: {fault}");

@@ -5,8 +5,8 @@ use super::command::{DOCUMENT, STILLS_FOLDER, strangers};
 use super::selection::{FILE, Still};
 use super::shown::{Shown, ShownScenes};
 use super::{document, picture};
-use crate::cases::{CaseResult, Context, guarded};
-use crate::row::Row;
+use polhode_cases::row::Row;
+use polhode_cases::{CaseResult, Context, guarded};
 
 /// Name of the rows, as of a case.
 pub(crate) const CASE: &str = "gallery";

@@ -3,8 +3,8 @@
 use super::selection::{FILE, Selection};
 use super::shown::ShownScenes;
 use super::{document, page, picture, viewer_page};
-use crate::cases::{Amount, Context};
 use clap::Args;
+use polhode_cases::{Amount, Context};
 use std::error::Error;
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -1,8 +1,8 @@
 //! The gallery of shipped scenes: `cargo xtask gallery`, and the check that what is committed of it is fresh.
 //!
 //! Committed are the stills (`docs/gallery`) and the document that shows them (`docs/gallery.md`); the page with its
-//! viewers is built. The stills come from the software rasteriser and the runs of the shipped scenes, both of which give
-//! the same bits on every machine, so that they are compared pixel by pixel.
+//! viewers is built. The stills come from the software rasteriser and the runs of the shipped scenes, both of which
+//! give the same bits on every machine, so that they are compared pixel by pixel.
 //!
 //! | module | holds |
 //! |---|---|

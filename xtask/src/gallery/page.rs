@@ -23,9 +23,9 @@ pub(super) fn text(shown: &ShownScenes) -> String {
          <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>Polhode: gallery</title>\n\
          <style>\n{STYLE}</style>\n</head>\n<body>\n<header>\n{INTRODUCTION}</header>\n<main>\n\
          <h2>The videos of the thesis</h2>\n\
-         <p>Where a video shows a fault, the scene that has it stands first and the scene without it second. The text of the \
-         thesis names the fault of each, and bodies and numbers of some only: where it is silent the scenes have their \
-         own.</p>\n"
+         <p>Where a video shows a fault, the scene that has it stands first and the scene without it second. The text \
+         of the thesis names the fault of each, and bodies and numbers of some only: where it is silent the scenes \
+         have their own.</p>\n"
     );
     for video in &shown.selection.videos {
         let _ = write!(text, "<section>\n<h3>Video {}: {}</h3>\n", video.number, html(&video.subject));
@@ -53,7 +53,8 @@ fn card(still: &Still, kind: &str, shown: &ShownScenes) -> String {
     let (name, title) = (still.scene(), html(&scene.loaded.title()));
     let mut text = format!(
         "<article class=\"{kind}\">\n<a href=\"{name}.html\"><img src=\"stills/{}\" width=\"320\" height=\"200\" \
-         loading=\"lazy\" alt=\"{title} at t = {} s\"></a>\n<h4><a href=\"{name}.html\">{title}</a></h4>\n<p>{}</p>\n<dl>\n",
+         loading=\"lazy\" alt=\"{title} at t = {} s\"></a>\n<h4><a href=\"{name}.html\">{title}</a></h4>\n<p>{}</p>\n\
+         <dl>\n",
         still.file(),
         still.time_s,
         html(&scene.loaded.description().unwrap_or_default())

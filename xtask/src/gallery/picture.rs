@@ -1,8 +1,8 @@
 //! Drawing a still, writing it as a file and reading it back.
 
 use super::selection::Still;
-use crate::cases::Run;
 use glam::DVec3;
+use polhode_cases::Run;
 use polhode_view::Recording;
 use polhode_view::camera::Camera;
 use polhode_view::raster::{Picture, PictureSize};

@@ -1,7 +1,7 @@
 //! The shipped scenes with their runs, and what is shown of them.
 
 use super::selection::{FILE, Selection, Still};
-use crate::cases::{Context, Run};
+use polhode_cases::{Context, Run};
 use polhode_scene::LoadedScene;
 use std::collections::BTreeMap;
 use std::error::Error;

@@ -5,8 +5,8 @@ use insta::{Comparator, Snapshot};
 use std::sync::{Arc, Mutex};
 
 /// Tolerance and reason of a new snapshot; those of an old one are kept.
-pub(super) const DEFAULT_DESCRIPTION: &str = "tolerance 1e-9 of max(1, |number|): a change of the order of operations moves the \
-last digits, and impacts and falls amplify that; anything larger is a change of the method";
+pub(super) const DEFAULT_DESCRIPTION: &str = "tolerance 1e-9 of max(1, |number|): a change of the order of operations \
+moves the last digits, and impacts and falls amplify that; anything larger is a change of the method";
 
 /// How two snapshots compare.
 #[derive(Debug, Clone, Default, PartialEq)]

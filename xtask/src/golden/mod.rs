@@ -17,11 +17,11 @@ mod trajectory;
 
 pub(crate) use still::{GoldenStill, STILLS};
 
-use crate::cases::{CaseResult, Context, Run, guarded};
-use crate::row::{Row, Tolerance};
-use crate::snapshot_environment::is_blessed;
 use comparator::{Comparison, DEFAULT_DESCRIPTION, ToleranceComparator};
 use polhode::Effects;
+use polhode_cases::row::{Row, Tolerance};
+use polhode_cases::snapshot_environment::is_blessed;
+use polhode_cases::{CaseResult, Context, Run, guarded};
 use std::error::Error;
 use std::path::Path;
 use strict_hash::{hash_words, strict_hash};

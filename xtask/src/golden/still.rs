@@ -1,12 +1,12 @@
 //! Golden stills: a small picture of a shipped scene at a stated time, compared pixel by pixel.
 //!
-//! The rasteriser draws the same pixels on every platform, so that nothing may differ. A picture that is meant to be another
-//! one is renewed by `cargo xtask verify --bless --only still`, to be looked at before it is committed.
+//! The rasteriser draws the same pixels on every platform, so that nothing may differ. A picture that is meant to be
+//! another one is renewed by `cargo xtask verify --bless --only still`, to be looked at before it is committed.
 
-use crate::cases::{CaseResult, Context, guarded};
-use crate::row::Row;
-use crate::snapshot_environment::is_blessed;
 use polhode::Simulation;
+use polhode_cases::row::Row;
+use polhode_cases::snapshot_environment::is_blessed;
+use polhode_cases::{CaseResult, Context, guarded};
 use polhode_view::Recording;
 use polhode_view::raster::{Picture, PictureSize};
 use polhode_view::still::{still, write_png};
@@ -27,8 +27,8 @@ pub(crate) struct GoldenStill {
     t_s: f64,
 }
 
-/// Shapes of every kind, shadows, a pile that falls, free bodies, point sets, a body without a shape, and an orbit in which
-/// the body is a millionth of the picture.
+/// Shapes of every kind, shadows, a pile that falls, free bodies, point sets, a body without a shape, and an orbit in
+/// which the body is a millionth of the picture.
 pub(crate) const STILLS: &[GoldenStill] = &[
     GoldenStill { scene: "toppling-shapes", t_s: 0.75 },
     GoldenStill { scene: "diamond-5", t_s: 0.9 },

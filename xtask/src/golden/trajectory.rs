@@ -1,7 +1,7 @@
 //! A run as readable text.
 
-use crate::cases::Run;
 use polhode::{BodySample, EventKind};
+use polhode_cases::Run;
 use std::fmt::Write as _;
 use strict_hash::hash_words;
 

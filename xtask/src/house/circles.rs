@@ -1,7 +1,7 @@
 //! Circles of files: files of a crate that import each other, through others or not.
 //!
-//! The files of a circle can be read, moved and tested only together. Each is in one circle at the most: those that it reaches
-//! by the arrows of `imports.rs` and that reach it.
+//! The files of a circle can be read, moved and tested only together. Each is in one circle at the most: those that it
+//! reaches by the arrows of `imports.rs` and that reach it.
 
 use super::imports::Imports;
 use super::rust_source::RustSource;

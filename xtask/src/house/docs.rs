@@ -1,6 +1,7 @@
 //! Rules about documents and manifests.
 
 use super::project_file::ProjectFile;
+use super::rules::LONGEST_LINE;
 use super::rust_source::RustSource;
 use super::violation::Violation;
 use std::path::Path;
@@ -24,10 +25,7 @@ pub(super) fn lints(files: &[ProjectFile]) -> Vec<Violation> {
         .collect()
 }
 
-/// Longest line of the Python package, columns: as that of Rust.
-const LONGEST_LINE: usize = 120;
-
-/// Lines of the Python package that are too long. Those of Rust are the formatter's.
+/// Lines of the Python package that are too long: as those of Rust.
 pub(super) fn python_lines(files: &[ProjectFile]) -> Vec<Violation> {
     let is_python = |file: &&ProjectFile| {
         let ending = Path::new(&file.path).extension().and_then(std::ffi::OsStr::to_str);
@@ -173,7 +171,8 @@ mod tests {
     #[test]
     fn paths_of_a_line() {
         let found = paths_in(
-            "See `crates/a/src/b.rs`, `a / b`, `cargo run -- run fixtures/x.toml`, [c](../d.md#e) and [f](https://g.h/i).",
+            "See `crates/a/src/b.rs`, `a / b`, `cargo run -- run fixtures/x.toml`, [c](../d.md#e) and \
+             [f](https://g.h/i).",
         );
         let texts: Vec<&str> = found.iter().map(|path| path.text.as_str()).collect();
         assert_eq!(texts, ["crates/a/src/b.rs", "fixtures/x.toml", "../d.md"]);

@@ -1,8 +1,8 @@
-//! Which files of a crate import which: by `use` and by paths in the code, each followed through re-exports to the file that
-//! holds the name.
+//! Which files of a crate import which: by `use` and by paths in the code, each followed through re-exports to the file
+//! that holds the name.
 //!
-//! A `pub use` alone is no import: a table of contents may name all its parts. Tests do not count. Fails: a name that comes in
-//! by a glob is followed no further than the module named, and paths that a macro makes are not seen.
+//! A `pub use` alone is no import: a table of contents may name all its parts. Tests do not count. Fails: a name that
+//! comes in by a glob is followed no further than the module named, and paths that a macro makes are not seen.
 
 use super::rust_source::RustSource;
 use std::collections::{BTreeMap, BTreeSet};
@@ -98,7 +98,8 @@ impl File {
     }
 }
 
-/// The module of a file: `crates/x/src/a/b.rs` and `crates/x/src/a/b/mod.rs` hold `a::b`, `lib.rs` and `main.rs` the root.
+/// The module of a file: `crates/x/src/a/b.rs` and `crates/x/src/a/b/mod.rs` hold `a::b`, `lib.rs` and `main.rs` the
+/// root.
 fn module_of(path: &str, folder: &str) -> String {
     let inner = path.strip_prefix(folder).unwrap_or(path).trim_start_matches('/').trim_end_matches(".rs");
     let inner = inner.strip_suffix("/mod").unwrap_or(inner);

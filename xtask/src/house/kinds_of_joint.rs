@@ -1,7 +1,7 @@
 //! Whoever adds a kind of joint adds files that make it, and names it nowhere else.
 //!
-//! In the facade the kinds of joint stand in the folder of constraints and in the files of the scene about joints. All other files
-//! take what holds bodies together as rows and reactions, so that a further kind changes none of them.
+//! In the facade the kinds of joint stand in the folder of constraints and in the files of the scene about joints. All
+//! other files take what holds bodies together as rows and reactions, so that a further kind changes none of them.
 
 use super::rust_source::RustSource;
 use super::violation::Violation;

@@ -1,7 +1,7 @@
 //! Whoever adds a tier adds a folder and its line in one list, and names it nowhere else.
 //!
-//! What a tier is stands in its own folder, as facts; all other files of the facade, the scene format, the viewer and the
-//! program read the facts.
+//! What a tier is stands in its own folder, as facts; all other files of the facade, the scene format, the viewer and
+//! the program read the facts.
 
 use super::rust_source::RustSource;
 use super::violation::Violation;
@@ -59,7 +59,8 @@ fn names_a_kind(line: &str) -> bool {
 
 #[cfg(test)]
 mod tests {
-    //! A tier that is named in another file is found; in its homes, and in tests, it may be. Its facts may be read anywhere.
+    //! A tier that is named in another file is found; in its homes, and in tests, it may be. Its facts may be read
+    //! anywhere.
     use super::*;
 
     #[test]

@@ -1,7 +1,7 @@
 //! Arrows between crates: the only dependencies allowed, read from `cargo metadata`.
 
 use super::violation::Violation;
-use crate::commands;
+use polhode_cases::cargo::cargo;
 use serde::Deserialize;
 use std::path::{Path, PathBuf};
 
@@ -44,8 +44,9 @@ const LAYERS: &[Layer] = &[
     },
     Layer { name: "polhode-py", may_use: &["polhode", "polhode-scene", "polhode-study", "polhode-view"] },
     Layer { name: "strict-hash", may_use: &["polhode", "polhode-scene"] },
+    Layer { name: "polhode-oracles", may_use: &["polhode-spatial", "polhode", "polhode-scene"] },
     Layer {
-        name: "xtask",
+        name: "polhode-cases",
         may_use: &[
             "polhode-spatial",
             "polhode-mesh",
@@ -55,14 +56,31 @@ const LAYERS: &[Layer] = &[
             "polhode",
             "polhode-elastic",
             "polhode-scene",
+            "strict-hash",
+            "polhode-oracles",
+        ],
+    },
+    Layer {
+        name: "xtask",
+        may_use: &[
+            "polhode-spatial",
+            "polhode-contact",
+            "polhode-response",
+            "polhode",
+            "polhode-scene",
             "polhode-view",
             "polhode-cli",
             "strict-hash",
+            "polhode-oracles",
+            "polhode-cases",
         ],
     },
 ];
 
-/// Libraries that exactly one crate may name; xtask, which nobody depends on, may hold them against that crate.
+/// Crates of development, on which no other depends.
+const DEVELOPMENT: [&str; 3] = ["xtask", "polhode-cases", "polhode-oracles"];
+
+/// Libraries that exactly one crate may name; crates of development may hold them against that crate.
 const SINGLE_USER: [(&str, &str); 2] = [("parry3d", "polhode-contact"), ("clarabel", "polhode-response")];
 
 /// Libraries that a further crate may name for its benches and tests alone, to be held against.
@@ -122,7 +140,7 @@ fn check_metadata(metadata: &Metadata) -> Vec<Violation> {
                 violations.push(Violation::in_file(&place, format!("must not depend on {used}")));
             }
             let known_as = dependency.rename.as_deref().unwrap_or(used);
-            for (library, user) in SINGLE_USER.into_iter().filter(|_| name != "xtask") {
+            for (library, user) in SINGLE_USER.into_iter().filter(|_| !DEVELOPMENT.contains(&name)) {
                 let for_development =
                     dependency.kind.as_deref() == Some("dev") && DEVELOPMENT_USER.contains(&(library, name));
                 if known_as == library && name != user && !for_development {
@@ -137,7 +155,7 @@ fn check_metadata(metadata: &Metadata) -> Vec<Violation> {
 
 /// What `cargo metadata` says about the workspace.
 fn metadata(root: &Path) -> Result<Metadata, String> {
-    let mut command = commands::cargo(root);
+    let mut command = cargo(root);
     command.args(["metadata", "--no-deps", "--format-version", "1"]);
     let output = command.output().map_err(|error| format!("cargo metadata: {error}"))?;
     if !output.status.success() {

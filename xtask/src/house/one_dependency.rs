@@ -99,7 +99,8 @@ mod tests {
 
     #[test]
     fn a_program_in_docs_names_its_own_crate() {
-        let text = "//! See polhode_spatial::Pose.\n//! ```\n//! use polhode_spatial::Pose;\n//! ```\nuse glam::DVec3;\n\
+        let text = "//! See polhode_spatial::Pose.\n//! ```\n//! use polhode_spatial::Pose;\n//! ```\n\
+            use glam::DVec3;\n\
                     /// ```\n/// # let a = polhode_mesh::obj::read(b)?;\n/// let c = glam::DVec3::X;\n/// ```\n";
         assert_eq!(lines_found("crates/polhode-mesh/src/a.rs", text), ["3", "8"]);
     }

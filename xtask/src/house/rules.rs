@@ -5,6 +5,8 @@ use super::one_dependency;
 use super::rust_source::RustSource;
 use super::violation::Violation;
 
+/// Longest line, columns; `rustfmt` keeps to it where it can break a line, which it does not in comments and texts.
+pub(super) const LONGEST_LINE: usize = 120;
 /// Longest file, lines.
 const LONGEST_FILE: usize = 700;
 /// Longest function, lines, braces included.
@@ -12,9 +14,8 @@ const LONGEST_FUNCTION: usize = 70;
 /// A function with this comment in it or above it may be longer; the reason follows.
 const LONG_BECAUSE: &str = "// Long because: ";
 
-/// Folders of oracles.
-const ORACLES: [&str; 4] =
-    ["xtask/src/exact/", "xtask/src/interpenetration/", "xtask/src/judge/", "xtask/src/statics/"];
+/// The crate of oracles.
+const ORACLES: &str = "xtask/polhode-oracles/src/";
 /// What oracles judge, as code names it; a mesh of triangles is data and may go in.
 const JUDGED: [&str; 6] =
     ["polhode_contact", "polhode::contact", "polhode_mesh", "polhode::mesh", "polhode_response", "polhode::response"];
@@ -42,6 +43,7 @@ impl Rule {
 /// All rules.
 pub(super) const ALL: &[Rule] = &[
     Rule { name: "every file begins with module docs", find: module_docs },
+    Rule { name: "comments of at most 120 columns", find: comment_length },
     Rule { name: "files of at most 700 lines", find: file_length },
     Rule { name: "functions of at most 70 lines", find: function_length },
     Rule { name: "the core prints nothing", find: printing },
@@ -60,6 +62,20 @@ fn module_docs(source: &RustSource) -> Vec<Violation> {
     } else {
         vec![Violation::at_line(source, 0, "begins without module docs (//!): say what the file holds")]
     }
+}
+
+/// Lines of comments that are too long, tables apart: a row of a table is one line.
+fn comment_length(source: &RustSource) -> Vec<Violation> {
+    let is_text =
+        |line: &&String| line.trim_start().starts_with("//") && !line.contains("//! |") && !line.contains("/// |");
+    let lines = source.text().iter().enumerate().filter(|(_, line)| is_text(line));
+    let lines =
+        lines.map(|(number, line)| (number, line.chars().count())).filter(|(_, columns)| *columns > LONGEST_LINE);
+    lines
+        .map(|(number, columns)| {
+            Violation::at_line(source, number, format!("has {columns} columns, more than {LONGEST_LINE}: break it"))
+        })
+        .collect()
 }
 
 fn file_length(source: &RustSource) -> Vec<Violation> {
@@ -206,7 +222,7 @@ fn unwraps(source: &RustSource) -> Vec<Violation> {
 }
 
 fn oracles(source: &RustSource) -> Vec<Violation> {
-    if !ORACLES.iter().any(|folder| source.path().starts_with(folder)) {
+    if !source.path().starts_with(ORACLES) {
         return Vec::new();
     }
     let mut violations = Vec::new();
@@ -274,7 +290,10 @@ mod tests {
 
     #[test]
     fn epsilons_need_a_name() {
-        let text = "const A: f64 = 1e-9;\nlet b = 1e-9;\n// 1e-9\nlet c = \"1e-9\";\nlet d = some-1;\npub(crate) const E: [f64; 2] = [\n    2.5e-3,\n    1.0e-3,\n];\nlet f = 3.5_0e-12;\nconst fn g() -> f64 { 1e-9 }\nlet h = 1e9;\nimpl Default for S {\n    fn default() -> Self {\n        Self { a: 1e-9 }\n    }\n}\nlet i = 1e-9;\n";
+        let text = "const A: f64 = 1e-9;\nlet b = 1e-9;\n// 1e-9\nlet c = \"1e-9\";\nlet d = some-1;\n\
+            pub(crate) const E: [f64; 2] = [\n    2.5e-3,\n    1.0e-3,\n];\nlet f = 3.5_0e-12;\n\
+            const fn g() -> f64 { 1e-9 }\nlet h = 1e9;\n\
+            impl Default for S {\n    fn default() -> Self {\n        Self { a: 1e-9 }\n    }\n}\nlet i = 1e-9;\n";
         assert_eq!(lines_found(bare_epsilons, text), ["2", "10", "11", "18"]);
     }
 
@@ -292,16 +311,18 @@ mod tests {
 
     #[test]
     fn oracles_take_data_alone() {
-        let text = "use polhode::mesh::TriangleMesh;\nuse polhode::mesh::convex_decomposition;\nuse polhode_contact::{Side};\n\
+        let text = "use polhode::mesh::TriangleMesh;\nuse polhode::mesh::convex_decomposition;\n\
+            use polhode_contact::{Side};\n\
                     use polhode_spatial::Pose;\n#[cfg(test)]\nmod tests {\n    use polhode::mesh::box_mesh;\n}\n";
         let found = |path: &str| oracles(&RustSource::new(path, text)).len();
-        assert_eq!([found("xtask/src/exact/a.rs"), found("xtask/src/interpenetration/b.rs")], [2, 2]);
-        assert_eq!(found("xtask/src/cases/a.rs"), 0);
+        assert_eq!([found("xtask/polhode-oracles/src/exact/a.rs"), found("xtask/polhode-oracles/src/b.rs")], [2, 2]);
+        assert_eq!(found("xtask/polhode-cases/src/cases/a.rs"), 0);
     }
 
     #[test]
     fn unwrap_is_for_tests() {
-        let text = "fn f() { a.unwrap(); }\nfn g() { a.unwrap_or(1); }\n#[cfg(test)]\nmod tests {\n    fn h() { a.unwrap(); b.expect(\"c\"); }\n}\n";
+        let text = "fn f() { a.unwrap(); }\nfn g() { a.unwrap_or(1); }\n#[cfg(test)]\n\
+            mod tests {\n    fn h() { a.unwrap(); b.expect(\"c\"); }\n}\n";
         assert_eq!(lines_found(unwraps, text), ["1"]);
     }
 

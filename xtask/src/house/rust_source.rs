@@ -132,7 +132,9 @@ fn test_lines(path: &str, code: &[String]) -> Vec<bool> {
         if let Some(at) = line.find("#[cfg(test)]").or_else(|| line.find("#[test]")) {
             // The attribute's own brackets are behind the place where the search for the item's braces begins.
             let after = at + line[at..].find(']').map_or(0, |end| end + 1);
-            let last = end_of_item(code, number, after).unwrap_or(number);
+            // An item without braces ends with its semicolon.
+            let semicolon = || code.iter().skip(number).position(|line| line.contains(';')).map(|lines| number + lines);
+            let last = end_of_item(code, number, after).or_else(semicolon).unwrap_or(number);
             test[number..=last].fill(true);
         }
     }
@@ -258,6 +260,8 @@ mod tests {
         let source =
             RustSource::new("crates/x/src/a.rs", "fn f() {}\n#[cfg(test)]\nmod tests {\n  fn g() {}\n}\nfn h() {}\n");
         assert_eq!(source.product_code().map(|(number, _)| number).collect::<Vec<_>>(), [0, 5]);
+        let declared = RustSource::new("crates/x/src/a.rs", "#[cfg(test)]\nmod tests;\nmod b;\n");
+        assert_eq!(declared.product_code().map(|(number, _)| number).collect::<Vec<_>>(), [2]);
         assert_eq!(RustSource::new("crates/x/tests/it/main.rs", "fn f() {}\n").product_code().count(), 0);
         assert_eq!(source.crate_name(), "x");
     }

@@ -124,7 +124,8 @@ mod tests {
 
     #[test]
     fn one_private_module_is_right() {
-        let backend = "//! Docs on parry3d.\nuse parry3d::bounding_volume::Aabb;\npub(crate) fn f(a: Aabb) {}\npub fn g(a: f64) {}\n";
+        let backend = "//! Docs on parry3d.\nuse parry3d::bounding_volume::Aabb;\npub(crate) fn f(a: Aabb) {}\n\
+            pub fn g(a: f64) {}\n";
         assert_eq!(
             violations(&[(HOME, backend), ("crates/polhode-contact/src/lib.rs", "//! About parry3d.\nmod backend;\n")]),
             0

@@ -1,8 +1,8 @@
 //! No two tolerances of one name with two values.
 //!
-//! A reader who knows what `SAME_NORMAL` is in one file takes it for the same in the next. In the crates that say what bodies do
-//! to each other a name of a number stands for one value, wherever it is defined. The other crates compute one thing a file,
-//! and their names need not differ.
+//! A reader who knows what `SAME_NORMAL` is in one file takes it for the same in the next. In the crates that say what
+//! bodies do to each other a name of a number stands for one value, wherever it is defined. The other crates compute
+//! one thing a file, and their names need not differ.
 
 use super::rust_source::RustSource;
 use super::violation::Violation;

@@ -1,5 +1,5 @@
-//! Dependencies that nothing names: each one of a manifest stands in the code of its crate, and one of tests and benches
-//! alone stands among the dev-dependencies.
+//! Dependencies that nothing names: each one of a manifest stands in the code of its crate, and one of tests and
+//! benches alone stands among the dev-dependencies.
 
 use super::project_file::ProjectFile;
 use super::rust_source::RustSource;

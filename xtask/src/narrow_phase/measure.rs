@@ -1,7 +1,7 @@
 //! Errors and times of the two methods on pairs whose separation is known by construction.
 
-use crate::random::Random;
 use polhode_contact::{ConvexMethod, ConvexPolyhedron, Shape, Workspace, separation_by};
+use polhode_oracles::random::Random;
 use polhode_spatial::{DVec3, Pose, Rotation};
 use std::error::Error;
 use std::f64::consts::TAU;

@@ -1,5 +1,5 @@
-//! `cargo xtask narrow-phase`: the separating-axis test against GJK, error over the gap and time over the number of edges,
-//! as a figure and a section of `docs/accuracy-and-cost.md`.
+//! `cargo xtask narrow-phase`: the separating-axis test against GJK, error over the gap and time over the number of
+//! edges, as a figure and a section of `docs/accuracy-and-cost.md`.
 //!
 //! | module | holds |
 //! |---|---|
@@ -54,11 +54,12 @@ pub(crate) fn section(root: &Path) -> Result<String, Box<dyn Error>> {
     fs::write(root.join(FIGURE), figure::svg(&panels(&study)))?;
     let mut text = format!(
         "{HEADING}\n\
-         The separation of two convex polyhedra by either method (`separation_by(method, ..)`). One is above the other, \
-         with a\ngap between two faces or a face and a vertex, and both are turned together at random. The error is the \
-         largest over all\npairs and shapes, relative to the size; the exact gap and normal are known by construction, \
-         to the rounding of the\nposes. A gap of 0 is drawn as 1e-16, an error of 0 at the bottom. Times are medians on \
-         one machine, with a gap of 1e-3.\n\n\
+         The separation of two convex polyhedra by either method (`separation_by(method, ..)`). One is above the \
+         other, with a\ngap between two faces or a face and a vertex, and both are turned together at random. The \
+         error is the largest over all\n\
+         pairs and shapes, relative to the size; the exact gap and normal are known by construction, to the rounding \
+         of the\nposes. A gap of 0 is drawn as 1e-16, an error of 0 at the bottom. Times are medians on one machine, \
+         with a gap of 1e-3.\n\n\
          ![error and time of the narrow phase](figures/narrow-phase.svg)\n\n\
          | gap | separation, separating axes | separation, GJK | normal, separating axes | normal, GJK |\n\
          |---|---|---|---|---|\n"

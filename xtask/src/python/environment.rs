@@ -1,4 +1,5 @@
-//! The virtual environment in which the package is built and tested. It is made once, and again when its requirements change.
+//! The virtual environment in which the package is built and tested. It is made once, and again when its requirements
+//! change.
 
 use std::error::Error;
 use std::fs;

@@ -1,7 +1,8 @@
-//! The licence texts of what a wheel contains: of crates that are compiled into it, of the viewer and of Rust's own library.
+//! The licence texts of what a wheel contains: of crates that are compiled into it, of the viewer and of Rust's own
+//! library.
 
-use crate::commands;
-use crate::row::Row;
+use polhode_cases::cargo::cargo;
+use polhode_cases::row::Row;
 use serde::Deserialize;
 use std::collections::{BTreeMap, BTreeSet};
 use std::error::Error;
@@ -28,7 +29,8 @@ const APACHE_TEXT: &str = "Apache License";
 const WRITE: &str = "differs: run `cargo xtask licences` and commit the file";
 /// What stands above the texts.
 const HEAD: &str = "\
-polhode is under the licence in LICENSE. What follows are the licences of other software that a wheel of it contains, on one platform or
+polhode is under the licence in LICENSE. What follows are the licences of other software that a wheel of it contains, \
+on one platform or
 another: crates that are compiled into it, the viewer of its pages, and the standard library of Rust. Where a crate may be used under
 one of several licences, this is the one that is chosen. Made by `cargo xtask licences`.
 ";
@@ -145,7 +147,7 @@ fn packages(root: &Path) -> Result<Vec<Package>, Box<dyn Error>> {
 
 /// What a command of cargo prints.
 fn said(root: &Path, arguments: &[&str]) -> Result<String, Box<dyn Error>> {
-    let output = commands::cargo(root).args(arguments).arg("--locked").output()?;
+    let output = cargo(root).args(arguments).arg("--locked").output()?;
     if !output.status.success() {
         return Err(format!("cargo {}: {}", arguments[0], String::from_utf8_lossy(&output.stderr).trim()).into());
     }

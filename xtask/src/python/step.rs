@@ -2,8 +2,8 @@
 
 use super::environment::{Environment, OLDEST, done, newest};
 use super::licences;
-use crate::cases::{CaseResult, Context, guarded};
-use crate::row::Row;
+use polhode_cases::row::Row;
+use polhode_cases::{CaseResult, Context, guarded};
 use std::path::Path;
 
 /// Name of the step, as of a case.

@@ -2,8 +2,8 @@
 
 use super::node::{Node, complaint};
 use super::pages;
-use crate::cases::{CaseResult, Context};
-use crate::row::Row;
+use polhode_cases::row::Row;
+use polhode_cases::{CaseResult, Context};
 use serde::Deserialize;
 use std::collections::BTreeSet;
 use std::path::Path;
@@ -106,7 +106,7 @@ fn written_anew(case: &str, lines: Vec<Line>) -> Vec<Row> {
 mod tests {
     //! A kind of check passes exactly when all of its checks do, and its row names those that do not.
     use super::*;
-    use crate::row::Verdict;
+    use polhode_cases::row::Verdict;
 
     #[test]
     fn a_row_for_each_kind() -> Result<(), serde_json::Error> {

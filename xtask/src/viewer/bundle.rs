@@ -1,8 +1,8 @@
 //! Whether the committed bundle of the viewer is what its sources build to.
 
 use super::node::{Node, complaint};
-use crate::cases::CaseResult;
-use crate::row::Row;
+use polhode_cases::CaseResult;
+use polhode_cases::row::Row;
 
 /// Files that a build of the viewer writes.
 const FILES: [&str; 2] = ["viewer.js", "LICENSES.txt"];

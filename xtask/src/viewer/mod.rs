@@ -1,8 +1,9 @@
 //! The viewer of pages, looked at in a real browser, and its bundle.
 //!
-//! Pages that the program writes for shipped scenes, and synthetic ones, are opened in Chromium without a window. What is
-//! checked of them stands beside the viewer (`crates/polhode-view/viewer/test`); here each kind of check becomes a row, which
-//! names what fails. Where node, npm, the viewer's packages or a browser are missing, a row is skipped and says what to install.
+//! Pages that the program writes for shipped scenes, and synthetic ones, are opened in Chromium without a window. What
+//! is checked of them stands beside the viewer (`crates/polhode-view/viewer/test`); here each kind of check becomes a
+//! row, which names what fails. Where node, npm, the viewer's packages or a browser are missing, a row is skipped and
+//! says what to install.
 //!
 //! | module | holds |
 //! |---|---|

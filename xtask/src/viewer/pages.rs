@@ -1,6 +1,6 @@
 //! The pages that the program writes, as its users get them.
 
-use crate::cases::Context;
+use polhode_cases::Context;
 use std::error::Error;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -22,7 +22,8 @@ struct ShippedPage {
     exit_code: i32,
 }
 
-/// Shapes of every kind with contacts; many bodies that fall in on each other; free rotation; a run that stops with an error.
+/// Shapes of every kind with contacts; many bodies that fall in on each other; free rotation; a run that stops with an
+/// error.
 const PAGES: &[ShippedPage] = &[
     ShippedPage { name: "toppling-shapes", scene: "toppling-shapes", changes: &[], exit_code: FINE },
     ShippedPage { name: "diamond-5", scene: "diamond-5", changes: &[], exit_code: FINE },

@@ -3,8 +3,8 @@
 use super::browser::{self, Aim};
 use super::bundle;
 use super::node::Node;
-use crate::cases::{CaseResult, Context, guarded};
-use crate::row::Row;
+use polhode_cases::row::Row;
+use polhode_cases::{CaseResult, Context, guarded};
 
 /// Name of the step, as of a case.
 pub(crate) const NAME: &str = "viewer";

@@ -31,8 +31,8 @@ pub enum Failure {
     Simulation(#[from] SimulationError),
     /// A step that was made again has other bits.
     #[error(
-        "the step from t = {t_s} s has other bits when it is repeated from its snapshot ({part} differ): look at what of \
-         the state the snapshot does not hold"
+        "the step from t = {t_s} s has other bits when it is repeated from its snapshot ({part} differ): look at what \
+         of the state the snapshot does not hold"
     )]
     Repeated {
         /// Time at the start of the step, s.

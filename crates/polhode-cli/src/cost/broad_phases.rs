@@ -130,7 +130,8 @@ impl BroadPhaseStudy {
             let _ = writeln!(rows, "<tr><td>{name}</td><td class=\"n\">{time}</td><td class=\"n\">{ratio}</td></tr>");
         }
         format!(
-            "<!DOCTYPE html>\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n<title>{scene}: what broad phases cost</title>\n\
+            "<!DOCTYPE html>\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n\
+             <title>{scene}: what broad phases cost</title>\n\
              <style>{}</style>\n<h1>{scene}: what broad phases cost</h1>\n<pre>{}</pre>\n<table>\n\
              <thead><tr><th>broad phase</th><th>time of a call, us</th><th>relative</th></tr></thead>\n\
              <tbody>\n{rows}</tbody>\n</table>\n</html>\n",

@@ -1,9 +1,9 @@
 //! The drop of a scene as that of an elastic body: a box that meets a rigid floor, flat or on an edge.
 //!
-//! A rigid law is told by a coefficient what an impact leaves of a motion. Where a scene is the drop of a box whose material has
-//! moduli, finite elements compute it (crate `polhode-elastic`, plane strain across the edge that is lowest), and stand beside
-//! the impact laws with the coefficient of the scene: how long the contact lasts, its impulse, and the effective restitution,
-//! which is the velocity of the centre of mass up over that down before.
+//! A rigid law is told by a coefficient what an impact leaves of a motion. Where a scene is the drop of a box whose
+//! material has moduli, finite elements compute it (crate `polhode-elastic`, plane strain across the edge that is
+//! lowest), and stand beside the impact laws with the coefficient of the scene: how long the contact lasts, its
+//! impulse, and the effective restitution, which is the velocity of the centre of mass up over that down before.
 //!
 //! Assumes a contact that is short beside `v / g`: the elastic body has no gravity, and how much it would add is told.
 //! Fails: any other scene, of which the reason is told.

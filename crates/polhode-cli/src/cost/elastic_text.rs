@@ -26,8 +26,9 @@ impl ElasticBeside {
             table.cells(vec![name, "0".to_owned(), number(impulse), number(restitution), seconds(law.wall_s)]);
         }
         format!(
-            "\nthe same drop of an elastic body: {} m x {} m, {} m deep, tilted by {} degrees, at {} m/s (plane strain)\n{}  \
-             {} of its energy is left as vibration; it has no gravity, which in its contact adds {} of its speed\n",
+            "\nthe same drop of an elastic body: {} m x {} m, {} m deep, tilted by {} degrees, at {} m/s (plane \
+             strain)\n{}  {} of its energy is left as vibration; it has no gravity, which in its contact adds {} of \
+             its speed\n",
             number(drop.slice.width()),
             number(drop.slice.height()),
             number(drop.depth_m),

@@ -48,8 +48,10 @@ pub(super) fn page(study: &Study, figure: &str, elastic: &str) -> String {
     format!(
         "<!DOCTYPE html>\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n<title>{scene}: what accuracy costs</title>\n\
          <style>{STYLE}</style>\n<h1>{scene}: what accuracy costs</h1>\n{figure}\n<pre>{}</pre>\n\
-         <p>Rows on the Pareto front are marked: none is both cheaper and more accurate. A click on a heading sorts.</p>\n\
-         <table>\n<thead><tr>{headings}</tr></thead>\n<tbody>\n{rows}</tbody>\n</table>\n<pre>{}</pre>\n<script>{SCRIPT}</script>\n</html>\n",
+         <p>Rows on the Pareto front are marked: none is both cheaper and more accurate. A click on a heading \
+         sorts.</p>\n\
+         <table>\n<thead><tr>{headings}</tr></thead>\n<tbody>\n{rows}</tbody>\n</table>\n<pre>{}</pre>\n\
+         <script>{SCRIPT}</script>\n</html>\n",
         escaped(&text::notes(study)),
         escaped(elastic)
     )

@@ -98,7 +98,8 @@ pub(crate) fn cost(args: &CostArgs, interrupt: &Interrupt) -> Result<(), Failure
     }
 }
 
-/// The drop of the scene, where an elastic body can be shown beside the laws: wherever it can, unless settings are varied.
+/// The drop of the scene, where an elastic body can be shown beside the laws: wherever it can, unless settings are
+/// varied.
 ///
 /// # Errors
 /// Why it cannot, where it is asked for.

@@ -1,9 +1,10 @@
 //! `polhode cost SCENE --scale N,2N,4N`: how the time of a method grows with the number of bodies.
 //!
-//! The arrays of the scene are given these numbers of bodies, and every method runs each size: those of `--vary`, or every tier
-//! with its own settings. The time is the least of some rounds, since whatever else the machine does only adds to it. The exponent between
-//! two sizes of `N` bodies that take times `T` is `p = ln(T2/T1) / ln(N2/N1)`. A size that would take longer than the
-//! method's share of `--budget` is left out, as the last size and the exponent so far tell.
+//! The arrays of the scene are given these numbers of bodies, and every method runs each size: those of `--vary`, or
+//! every tier with its own settings. The time is the least of some rounds, since whatever else the machine does only
+//! adds to it. The exponent between two sizes of `N` bodies that take times `T` is `p = ln(T2/T1) / ln(N2/N1)`. A size
+//! that would take longer than the method's share of `--budget` is left out, as the last size and the exponent so far
+//! tell.
 
 use super::text::ratio;
 use crate::failure::Failure;
@@ -92,8 +93,8 @@ impl ScaleStudy {
                 Err(reason) => table.row([&row.method, &bodies, reason, "", ""]),
             }
         }
-        let what = "time: the least of some rounds on this machine, without preparing the scene; exponent: of the growth from \
-                    the size before";
+        let what = "time: the least of some rounds on this machine, without preparing the scene; exponent: of the \
+                    growth from the size before";
         format!("scene {}, {} s\n\n{}\n{what}\n", self.scene, self.duration_s, table.print())
     }
 

@@ -90,7 +90,8 @@ pub(super) fn notes(study: &Study) -> String {
     }
     for other in study.other_laws() {
         let what = format!(
-            "the limit of {} differs from that of the scene's law by {}: no error of the methods, but it counts for a target",
+            "the limit of {} differs from that of the scene's law by {}: no error of the methods, but it counts for a \
+             target",
             other.law.name(),
             short(other.difference)
         );
@@ -196,8 +197,8 @@ pub(super) fn reached(study: &Study, entry: &Entry, target: f64) -> String {
     let Ok(measured) = &entry.outcome else { return String::new() };
     let error = study.known_error(entry).unwrap_or(f64::NAN);
     let mut text = format!(
-        "cheapest method with an error of at most {target:e}: {}, error {error:.1e}, {} of the time of {}, {} us for each \
-         simulated second",
+        "cheapest method with an error of at most {target:e}: {}, error {error:.1e}, {} of the time of {}, {} us for \
+         each simulated second",
         entry.candidate.name(),
         ratio(measured.timing.ratio),
         study.base_name(),

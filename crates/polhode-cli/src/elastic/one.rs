@@ -82,7 +82,8 @@ impl Dropped {
         let confined = if drop.guide() == Guide::Vertical { ", confined" } else { "" };
         let _ = writeln!(
             page,
-            "rectangle of {} m x {} m{confined}, tilted by {} degrees, at {} m/s; plane strain, for each metre of depth",
+            "rectangle of {} m x {} m{confined}, tilted by {} degrees, at {} m/s; plane strain, for each metre of \
+             depth",
             number(drop.width()),
             number(drop.height()),
             number(drop.tilt_rad().to_degrees()),

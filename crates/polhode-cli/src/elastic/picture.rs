@@ -1,7 +1,7 @@
 //! The mesh where it is deformed most, with the vertical stress of its elements as colour, as SVG.
 //!
-//! Displacements are drawn as they are. Blue is pressure, red is tension; the darkest colour is the largest stress of the
-//! picture, which is written below it.
+//! Displacements are drawn as they are. Blue is pressure, red is tension; the darkest colour is the largest stress of
+//! the picture, which is written below it.
 
 use crate::abandoned;
 use crate::failure::Failure;
@@ -78,7 +78,8 @@ impl Scenery {
         let height = floor_y + LEGEND;
         let largest = self.stresses.iter().fold(0.0, |most: f64, stress| most.max(stress.abs()));
         let mut svg = format!(
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {WIDTH:.0} {height:.0}\" font-family=\"sans-serif\" font-size=\"13\">\n\
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {WIDTH:.0} {height:.0}\" \
+             font-family=\"sans-serif\" font-size=\"13\">\n\
              <style>.ink{{fill:#333}}.line{{stroke:#333}}@media(prefers-color-scheme:dark){{.ink{{fill:#ddd}}.line{{stroke:#ddd}}}}</style>\n\
              <g stroke=\"#555\" stroke-width=\"0.5\" stroke-linejoin=\"round\">\n"
         );

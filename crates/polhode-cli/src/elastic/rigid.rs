@@ -1,9 +1,9 @@
 //! The drop of a rigid box of the same size and mass, by the impact laws of the library.
 //!
-//! The box is one metre deep, begins a little above the floor with the speed of the drop, without gravity and friction, and
-//! runs for as long as the elastic one is watched; impacts that follow in that time count for both. How far a law is off is
-//! the velocity that separates the two, in the metric of kinetic energy and in units of the speed of the drop:
-//! `sqrt(|dv|^2 + k^2 dw^2) / v`, with k (m) the radius of gyration.
+//! The box is one metre deep, begins a little above the floor with the speed of the drop, without gravity and friction,
+//! and runs for as long as the elastic one is watched; impacts that follow in that time count for both. How far a law
+//! is off is the velocity that separates the two, in the metric of kinetic energy and in units of the speed of the
+//! drop: `sqrt(|dv|^2 + k^2 dw^2) / v`, with k (m) the radius of gyration.
 
 use crate::failure::Failure;
 use polhode::contact::Shape;
@@ -56,7 +56,8 @@ pub(crate) struct RigidDrop {
     pub(crate) wall_s: f64,
 }
 
-/// The laws without loss, and that with the best coefficient, beside an elastic rebound that was watched for so long (s).
+/// The laws without loss, and that with the best coefficient, beside an elastic rebound that was watched for so long
+/// (s).
 pub(crate) fn laws(drop: &RectangleDrop, elastic: &Rebound, watched_s: f64) -> Result<Vec<RigidDrop>, Failure> {
     let run = |law, restitution| of_law(drop, elastic, watched_s, law, restitution);
     let mut found: Vec<RigidDrop> = [ImpactLaw::Propagation, ImpactLaw::Simultaneous, ImpactLaw::Reflection]

@@ -157,7 +157,8 @@ fn crowded(report: &RunReport) -> [String; 2] {
     [stretches, error]
 }
 
-/// Penetration and restitution that springs at contacts were asked for and reached, and how stiff they were for the steps.
+/// Penetration and restitution that springs at contacts were asked for and reached, and how stiff they were for the
+/// steps.
 fn of_springs(springs: &SpringReport) -> [String; 3] {
     let asked = springs.penetration_asked_m.map(|asked| format!(", {} m asked", number(asked))).unwrap_or_default();
     let restitution = springs.worst_restitution.as_ref().map_or_else(
@@ -190,8 +191,8 @@ fn warnings(report: &RunReport) -> String {
     if all.is_empty() { all } else { format!("\n{all}") }
 }
 
-/// What the run says of its own accuracy: what was lost first, the certificate next; closure stands with the ledgers, for it
-/// only checks the book-keeping.
+/// What the run says of its own accuracy: what was lost first, the certificate next; closure stands with the ledgers,
+/// for it only checks the book-keeping.
 fn certificate(report: &RunReport) -> String {
     let (ledger, certificate) = (&report.ledger, &report.certificate);
     let Certificate { max_projection_m, max_projection_j, max_penetration_m, .. } = *certificate;

@@ -1,7 +1,8 @@
-//! What happens to input that is wrong: exit code 2 (or 3 where files cannot be read), and words that say what is wrong, at
-//! once. No panic, and nothing is lost: a file that stood under the name of an output stands there as before.
+//! What happens to input that is wrong: exit code 2 (or 3 where files cannot be read), and words that say what is
+//! wrong, at once. No panic, and nothing is lost: a file that stood under the name of an output stands there as before.
 //!
-//! Each case is a command and the words that its message must hold. `scene.toml` is a good scene of a stone and a floor.
+//! Each case is a command and the words that its message must hold. `scene.toml` is a good scene of a stone and a
+//! floor.
 
 use crate::Place;
 
@@ -302,7 +303,8 @@ fn there_are_enough_cases() {
     assert!(SCENES.len() + COMMANDS.len() >= 170, "{}", SCENES.len() + COMMANDS.len());
 }
 
-/// All errors of a scene are told at once, in the order of the file, at most twenty; what follows from another is not told.
+/// All errors of a scene are told at once, in the order of the file, at most twenty; what follows from another is not
+/// told.
 #[test]
 fn all_errors_at_once() {
     let place = Place::new();

@@ -68,8 +68,8 @@ fn target() {
     assert!(run.stderr.contains("no method reaches an error of 1e-30"), "{}", run.stderr);
 }
 
-/// Errors stand in the table in millimetres and degrees too, times in microseconds; two rounds say nothing about noise, so
-/// that methods within a fifth of each other are ties, here one method twice.
+/// Errors stand in the table in millimetres and degrees too, times in microseconds; two rounds say nothing about noise,
+/// so that methods within a fifth of each other are ties, here one method twice.
 #[test]
 fn units_and_ties() {
     let place = Place::with_scene(FLIGHT);
@@ -123,13 +123,14 @@ fn refused_and_other_models() {
     }
 }
 
-/// A ball strikes two that touch: laws of impact differ there. The tier of another law is judged by the limit of that law, and the
-/// difference of the laws is told beside; it counts where a target is asked for.
+/// A ball strikes two that touch: laws of impact differ there. The tier of another law is judged by the limit of that
+/// law, and the difference of the laws is told beside; it counts where a target is asked for.
 #[test]
 fn another_law_is_no_error_of_a_method() {
     let ball = |name: &str, place: &str, velocity: &str| {
         format!(
-            "[[bodies]]\nname = \"{name}\"\nmass = 1\nshape.sphere.radius = 0.5\nmaterial = \"ivory\"\nposition = {place}\n\
+            "[[bodies]]\nname = \"{name}\"\nmass = 1\nshape.sphere.radius = 0.5\nmaterial = \"ivory\"\n\
+             position = {place}\n\
              velocity = {velocity}\n"
         )
     };
@@ -159,10 +160,12 @@ fn another_law_is_no_error_of_a_method() {
     assert!(place.read("a.csv").lines().next().unwrap().contains("law,law_difference"));
 }
 
-/// `--scale` gives the arrays of a scene other numbers of bodies, and says how the time grows; a scene without arrays is refused.
+/// `--scale` gives the arrays of a scene other numbers of bodies, and says how the time grows; a scene without arrays
+/// is refused.
 #[test]
 fn growth_with_the_bodies() {
-    let balls = "format = 1\nname = \"rain\"\nduration = 0.1\n[[arrays]]\nname = \"drop\"\nmass = 1\nshape.sphere.radius = 0.1\n\
+    let balls = "format = 1\nname = \"rain\"\nduration = 0.1\n[[arrays]]\nname = \"drop\"\nmass = 1\n\
+        shape.sphere.radius = 0.1\n\
                  layout.drop = { count = 5, size = [4, 4, 4] }\n";
     let place = Place::with_scene(balls);
     let args = ["cost", "scene.toml", "--scale", "5,10,20", "--vary", "method.tier=accurate,stepped"];
@@ -237,14 +240,17 @@ fn broad_phases() {
     place.expect(2, &[&arguments[..], &["--svg", "b.svg"]].concat());
 }
 
-/// A box of rubber that falls flat onto a rigid floor: finite elements stand beside the impact laws on the same drop. Laws that strike
-/// all corners at once leave with the coefficient that they are told, in no time; the elastic body with 0.82, after a wave up and down (2 H/c_p = 0.0545 s).
+/// A box of rubber that falls flat onto a rigid floor: finite elements stand beside the impact laws on the same drop.
+/// Laws that strike all corners at once leave with the coefficient that they are told, in no time; the elastic body
+/// with 0.82, after a wave up and down (2 H/c_p = 0.0545 s).
 #[test]
 fn an_elastic_body_stands_beside_the_laws() {
     let scene = |rubber: &str| {
         format!(
-            "format = 1\nname = \"drop\"\nduration = 0.3\n[materials.rubber]\nrestitution = 0.5\n{rubber}[[bodies]]\nname = \"floor\"\n\
-             fixed = true\nshape.half_space.normal = [0, 0, 1]\n[[bodies]]\nname = \"box\"\nshape.box.size = [2, 0.5, 1]\n\
+            "format = 1\nname = \"drop\"\nduration = 0.3\n[materials.rubber]\nrestitution = 0.5\n{rubber}[[bodies]]\n\
+             name = \"floor\"\n\
+             fixed = true\nshape.half_space.normal = [0, 0, 1]\n[[bodies]]\nname = \"box\"\n\
+             shape.box.size = [2, 0.5, 1]\n\
              density = 1000\nposition = [0, 0, 0.55098581]\nmaterial = \"rubber\"\n"
         )
     };

@@ -1,4 +1,5 @@
-//! `polhode elastic`: the closed form of the confined rectangle, the rigid laws beside a drop, the picture, and bad input.
+//! `polhode elastic`: the closed form of the confined rectangle, the rigid laws beside a drop, the picture, and bad
+//! input.
 
 use crate::Place;
 

@@ -1,5 +1,5 @@
-//! What a day's use needs: scenes from stdin and from inside the program, CSV on stdout, new scenes, completions, a report that
-//! leads with the result, failures as JSON, and results that are never lost.
+//! What a day's use needs: scenes from stdin and from inside the program, CSV on stdout, new scenes, completions, a
+//! report that leads with the result, failures as JSON, and results that are never lost.
 
 use crate::{FLIGHT, Place, Run};
 use std::io::Write as _;
@@ -14,8 +14,8 @@ fn with_stdin(place: &Place, args: &[&str], text: &str) -> Run {
     child.wait_with_output().unwrap().into()
 }
 
-/// A scene comes from stdin and its trajectory goes to stdout: the same bytes as from file to file. The report is on stderr,
-/// and with -q nowhere.
+/// A scene comes from stdin and its trajectory goes to stdout: the same bytes as from file to file. The report is on
+/// stderr, and with -q nowhere.
 #[test]
 fn stdin_and_stdout() {
     let place = Place::with_scene(FLIGHT);
@@ -87,8 +87,8 @@ fn help_has_examples() {
     }
 }
 
-/// The report begins with what has come out; the plan stands below and fits 100 columns. No colour, and nothing on stderr of a
-/// run that is short.
+/// The report begins with what has come out; the plan stands below and fits 100 columns. No colour, and nothing on
+/// stderr of a run that is short.
 #[test]
 fn the_report_leads_with_the_result() {
     let place = Place::new();
@@ -139,8 +139,8 @@ fn control_characters_are_harmless() {
     assert!(!run.stderr.contains('\u{1b}'), "{}", run.stderr);
 }
 
-/// Bodies that overlap a little are moved apart when the scene says so, by no more, and the report says so; all pairs that
-/// overlap are named otherwise, with what would mend it.
+/// Bodies that overlap a little are moved apart when the scene says so, by no more, and the report says so; all pairs
+/// that overlap are named otherwise, with what would mend it.
 #[test]
 fn overlaps_at_the_start() {
     let ball = |name: &str, z: f64| {
@@ -185,8 +185,8 @@ fn a_full_disk_keeps_what_fits() {
     assert_eq!(place.list(), ["a.csv.partial", "a.json.partial", "a.npy.partial", "page.html", "scene.toml"]);
 }
 
-/// A temporary file that a killed program has left is removed when its target is written again; an output that is a link is
-/// followed.
+/// A temporary file that a killed program has left is removed when its target is written again; an output that is a
+/// link is followed.
 #[cfg(unix)]
 #[test]
 fn no_file_is_left_behind() {

@@ -1,7 +1,7 @@
 //! Ctrl-C and SIGTERM: what was computed is kept as a readable file, whether the run can end its step or not.
 //!
-//! Nothing here waits for a time to pass: a signal is sent when the file has grown, and stdout that nobody reads holds a
-//! run up within a step for as long as it takes.
+//! Nothing here waits for a time to pass: a signal is sent when the file has grown, and stdout that nobody reads holds
+//! a run up within a step for as long as it takes.
 
 use crate::{FLIGHT, Place};
 use std::io::{BufRead as _, BufReader};
@@ -62,8 +62,8 @@ fn a_run_that_is_asked_to_end_keeps_its_results() {
     }
 }
 
-/// Asked again while it cannot end its step, the program ends at once, and what has reached the disk is a readable file all the
-/// same: whole samples, of every kind of trajectory.
+/// Asked again while it cannot end its step, the program ends at once, and what has reached the disk is a readable file
+/// all the same: whole samples, of every kind of trajectory.
 #[test]
 fn a_program_that_ends_at_once_keeps_its_results() {
     for (name, code) in [("INT", 130), ("TERM", 143)] {
@@ -91,8 +91,8 @@ fn a_program_that_ends_at_once_keeps_its_results() {
     }
 }
 
-/// Asked to end while it draws, the program stops after a frame and leaves no file behind: a picture that is cut off is of no
-/// use.
+/// Asked to end while it draws, the program stops after a frame and leaves no file behind: a picture that is cut off is
+/// of no use.
 #[test]
 fn drawing_that_is_asked_to_end_leaves_nothing() {
     for (name, code) in [("INT", 130), ("TERM", 143)] {
@@ -140,7 +140,8 @@ fn what_a_killed_program_left_behind_is_found() {
     place.expect(0, &["view", "scene.toml", "a.npy.partial", "-o", "page.html"]);
 }
 
-/// A study that is asked to end does, and leaves no temporary file behind; so does a page in the middle of a run's step.
+/// A study that is asked to end does, and leaves no temporary file behind; so does a page in the middle of a run's
+/// step.
 #[test]
 fn a_study_that_is_asked_to_end_leaves_nothing() {
     for (name, code) in [("INT", 130), ("TERM", 143)] {

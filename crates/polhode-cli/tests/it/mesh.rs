@@ -130,8 +130,8 @@ fn frames() {
     place.expect(2, &["mesh", &file, "--scale", "0"]);
 }
 
-/// A cube with a face missing is no solid until it is repaired; the mended mesh reads back from every format, bit by bit
-/// where the format holds doubles.
+/// A cube with a face missing is no solid until it is repaired; the mended mesh reads back from every format, bit by
+/// bit where the format holds doubles.
 #[test]
 fn repaired_and_written() {
     let place = Place::new();
@@ -177,7 +177,8 @@ fn convex_parts() {
     place.expect(2, &["mesh", &file, "--decompose", "--hollow"]);
 }
 
-/// A cube whose faces share no vertices, as textured files have it: `split` (m) puts the faces apart, `size` (m) is its edge.
+/// A cube whose faces share no vertices, as textured files have it: `split` (m) puts the faces apart, `size` (m) is its
+/// edge.
 fn cube_with_seams(split: f64, size: f64) -> String {
     let corner = |k: usize| [k & 1, k >> 1 & 1, k >> 2 & 1].map(|bit| size * (bit as f64 - 0.5));
     let faces = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [1, 3, 7, 5], [3, 2, 6, 7], [2, 0, 4, 6]];

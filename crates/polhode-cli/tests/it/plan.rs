@@ -51,12 +51,14 @@ fn forces() {
     assert!(plan["effects"].as_array().unwrap().iter().any(|e| e["effect"] == "force fields" && e["decision"] == "on"));
 }
 
-/// How far what rests is from moving: a box of friction 0.5 on a floor bears half its weight as a push, 26.565 degrees as a
-/// tilt, and then slides; a report of a run says so in a line.
+/// How far what rests is from moving: a box of friction 0.5 on a floor bears half its weight as a push, 26.565 degrees
+/// as a tilt, and then slides; a report of a run says so in a line.
 #[test]
 fn stability() {
-    let scene = "format = 1\nduration = 0.1\n[materials.wood]\nfriction = 0.5\n[[bodies]]\nname = \"floor\"\nfixed = true\n\
-        shape.half_space.normal = [0, 0, 1]\nmaterial = \"wood\"\n[[bodies]]\nname = \"crate\"\nshape.box.size = [1, 1, 0.5]\n\
+    let scene = "format = 1\nduration = 0.1\n[materials.wood]\nfriction = 0.5\n[[bodies]]\nname = \"floor\"\n\
+        fixed = true\n\
+        shape.half_space.normal = [0, 0, 1]\nmaterial = \"wood\"\n[[bodies]]\nname = \"crate\"\n\
+        shape.box.size = [1, 1, 0.5]\n\
         mass = 2\nposition = [0, 0, 0.25]\nmaterial = \"wood\"\n";
     let place = Place::with_scene(scene);
     let text = place.expect(0, &["plan", "scene.toml", "--stability"]).stdout;

@@ -24,8 +24,8 @@ type.spring.stiffness = 1000.0
 type.spring.rest_length = 0.5
 "#;
 
-/// All plots are drawn when none are named, and those that are named in the order of the list; the same run gives the same
-/// bytes, beside whatever else it writes.
+/// All plots are drawn when none are named, and those that are named in the order of the list; the same run gives the
+/// same bytes, beside whatever else it writes.
 #[test]
 fn a_run() {
     let place = Place::with_scene(FLIGHT);
@@ -115,7 +115,8 @@ fn two_trajectories() {
     }
     assert!(!all.contains("difference of energy"));
     place.expect(1, &with(&["-o", "energy.svg", "--scene", "scene.toml", "--plot", "energy"]));
-    // The speeds are 5 and sqrt(34) m/s at first: the kinetic energies of 2 kg differ by 9 J, and by as much at the end.
+    // The speeds are 5 and sqrt(34) m/s at first: the kinetic energies of 2 kg differ by 9 J, and by as much at the
+    // end.
     let energy = place.read("energy.svg");
     assert!(energy.contains("all bodies \u{2212}9 J") && !energy.contains("distance of positions"), "{energy}");
     place.expect(0, &["run", "scene.toml", "-o", "short.csv", "--duration", "0.25"]);

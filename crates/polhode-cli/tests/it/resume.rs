@@ -90,8 +90,8 @@ fn checkpoints_that_cannot_be_continued_are_refused_with_a_message() {
     assert!(place.expect(3, &["resume", "scene.checkpoint"]).stderr.contains("cannot read"));
 }
 
-/// A scene names its meshes relative to its own file: a run resumed in another folder finds them, and one whose mesh has
-/// changed since is refused.
+/// A scene names its meshes relative to its own file: a run resumed in another folder finds them, and one whose mesh
+/// has changed since is refused.
 #[test]
 fn a_run_with_mesh_files_is_resumed_in_another_folder() {
     let solid = "name = \"part\"\nshape.mesh.file = \"meshes/part.obj\"\ndensity = 500\nposition = [0, 0, 3.2]\n\
@@ -188,8 +188,8 @@ fn a_run_at_rest_has_a_checkpoint_and_is_extended() {
     assert!(refused.contains("is of t = 5 s already"), "{refused}");
 }
 
-/// A run that is extended has the motion of one that was as long from the start: to the bit where it was saved before its
-/// end, at which its last step ends, and else to the error of a step.
+/// A run that is extended has the motion of one that was as long from the start: to the bit where it was saved before
+/// its end, at which its last step ends, and else to the error of a step.
 #[test]
 fn an_extended_run_is_one_that_was_longer() {
     let place = Place::with_scene(&fall());

@@ -1,5 +1,5 @@
-//! Robot files in the place of scenes: `check` is a doctor, `run` simulates, settings reach the keys of the scene that the file stands
-//! for, an output never replaces a file of the robot, and a bad file is refused with its own lines.
+//! Robot files in the place of scenes: `check` is a doctor, `run` simulates, settings reach the keys of the scene that
+//! the file stands for, an output never replaces a file of the robot, and a bad file is refused with its own lines.
 
 use crate::{Place, fixture};
 

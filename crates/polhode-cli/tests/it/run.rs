@@ -152,8 +152,8 @@ position = [0.05, 0.0, 1.0]
 material = "m"
 "#;
 
-/// With a tolerance of a hundredth, projections give a ball that settles in a ring more of its energy than that: the run ends,
-/// and says by outcome, warning and exit code that it has not kept its promise.
+/// With a tolerance of a hundredth, projections give a ball that settles in a ring more of its energy than that: the
+/// run ends, and says by outcome, warning and exit code that it has not kept its promise.
 #[test]
 fn run_that_breaks_its_promise_is_degraded() {
     let place = Place::with_scene(BALL_ON_RING);

@@ -50,7 +50,8 @@ fn closed_stdout() {
     assert_eq!(place.read("a.csv").lines().count(), 6);
 }
 
-/// A JSON value that cannot be written, because stdout is closed from the start or at the end, is a fault of output: half a value is none.
+/// A JSON value that cannot be written, because stdout is closed from the start or at the end, is a fault of output:
+/// half a value is none.
 #[cfg(target_os = "linux")]
 #[test]
 fn json_to_a_closed_stdout() {

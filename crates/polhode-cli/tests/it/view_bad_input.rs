@@ -1,5 +1,5 @@
-//! `polhode view` on bad input: an error says which file, where, what is wrong and what to do; nothing is lost: a page that
-//! stood there stays, no half of one appears, and no input is replaced.
+//! `polhode view` on bad input: an error says which file, where, what is wrong and what to do; nothing is lost: a page
+//! that stood there stays, no half of one appears, and no input is replaced.
 
 use crate::view::DROP;
 use crate::{FLIGHT, Place};
@@ -32,7 +32,8 @@ fn refused(place: &Place, name: &str, content: &[u8], words: &[&str]) {
     std::fs::remove_file(place.path(name)).unwrap();
 }
 
-/// Shows a trajectory of this content, which is cut off: its whole samples are shown, and these words say where it ends.
+/// Shows a trajectory of this content, which is cut off: its whole samples are shown, and these words say where it
+/// ends.
 #[track_caller]
 fn shown(place: &Place, name: &str, content: &[u8], words: &[&str]) {
     std::fs::write(place.path(name), content).unwrap();

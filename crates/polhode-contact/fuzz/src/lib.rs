@@ -9,6 +9,12 @@
 //! cargo fuzz run -s none pair fuzz/corpus/pair fuzz/seeds/pair -- -max_total_time=600 -timeout=5 -rss_limit_mb=1024
 //! cargo fuzz run -s none answers fuzz/corpus/answers fuzz/seeds/pair -- -max_total_time=600 -timeout=60
 //! ```
+//!
+//! | module | holds |
+//! |---|---|
+//! | `answers` | the second fuzz target |
+//! | `memory` | the narrow phase with the memory of a pair gives the same bits as without |
+//! | `screw` | motion along a straight path with a steady spin |
 
 mod answers;
 mod memory;

@@ -34,7 +34,8 @@ pub enum BroadPhaseMethod {
 
 /// No broad phase has this name.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
-#[error("there is no broad phase `{name}`: use one of {}", BroadPhaseMethod::ALL.map(BroadPhaseMethod::name).join(", "))]
+#[error("there is no broad phase `{name}`: use one of \
+    {}", BroadPhaseMethod::ALL.map(BroadPhaseMethod::name).join(", "))]
 pub struct UnknownBroadPhase {
     /// The name given.
     pub name: String,

@@ -1,6 +1,6 @@
 //! Broad phase: which pairs of bounding boxes share a point.
 //!
-//! | module | method |
+//! | module | method, or what methods share |
 //! |---|---|
 //! | `bvh` | hierarchy of bounding boxes, refitted only when some box has moved far (default) |
 //! | `voxel_grid` | uniform cells in a hash table |
@@ -9,9 +9,11 @@
 //! | `binary_space_partition` | space halved by planes in any direction |
 //! | `sweep_and_prune` | intervals on one axis, kept in order from call to call |
 //! | `all_pairs` | `none` in scenes: every box against every other |
-//!
-//! `partition` holds what the three partitions of space share; `pair_collector` sorts the pairs; `far_boxes` separates
-//! boxes whose coordinates would overflow; `candidates` keeps pairs of boxes that have hardly moved.
+//! | `partition` | what the three partitions of space share |
+//! | `pair_collector` | the sorting of pairs |
+//! | `far_boxes` | boxes whose coordinates would overflow, apart from the others |
+//! | `candidates` | pairs of boxes that have hardly moved |
+//! | `method` | the broad phases by name |
 //!
 //! All give the same pairs in the same order, whatever the earlier calls were, so that the methods differ in time
 //! alone. Boxes may be infinite, of any sizes, flat, or coincident. After the first calls no method allocates, unless

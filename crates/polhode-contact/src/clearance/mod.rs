@@ -4,6 +4,11 @@
 //! of it must be distinguished. The *scale* is the sum of the lengths in the arithmetic: lengths below its rounding
 //! cannot be distinguished. The coincidence of features of a compound is decided with the size of its smallest part
 //! (`compound_pair.rs`).
+//!
+//! | module | holds |
+//! |---|---|
+//! | `pair_tolerance` | the tolerances of a pair of shapes |
+//! | `place_tolerance` | tolerances of coincident features, parallel directions and equal separations |
 
 mod pair_tolerance;
 mod place_tolerance;

@@ -11,7 +11,8 @@ pub fn joint_size(shape_a: &Shape, shape_b: &Shape) -> f64 {
 }
 
 /// The length that bounds the rounding of the pair's arithmetic, m: the sum of both sizes, both radii about the centres
-/// of mass, and the distance of the centres of mass. A half-space contributes the distance of its plane from its origin.
+/// of mass, and the distance of the centres of mass. A half-space contributes the distance of its plane from its
+/// origin.
 pub fn scale(shape_a: &Shape, pose_a: &Pose, shape_b: &Shape, pose_b: &Pose) -> f64 {
     let lengths = |shape: &Shape| match shape {
         Shape::HalfSpace(h) => h.offset().abs(),

@@ -21,8 +21,8 @@ pub enum ImpactError {
     },
     /// The number of evaluations reached its limit, as for a pair that stays close without touching.
     #[error(
-        "no result after {limit} evaluations: at {t} s the separation is {separation:e} m; shorten the interval or raise \
-         max_evaluations"
+        "no result after {limit} evaluations: at {t} s the separation is {separation:e} m; shorten the interval or \
+         raise max_evaluations"
     )]
     EvaluationLimit {
         /// Time reached; the pair is clear up to it, s.

@@ -110,9 +110,9 @@ const NOTICED: f64 = 1.0 / 16.0;
 /// the touch tolerance, a quarter of [`NOTICED`].
 const CLOSED: f64 = 1.0 / 64.0;
 
-/// A pair that begins in touch has departed when the rigorous search can advance by at least this part of the time since
-/// the start. A smaller step would mean a great many evaluations: the separation grows as slowly as the bounds allow, as
-/// where a contact force has decreased to zero smoothly (the separation then grows as the cube of time).
+/// A pair that begins in touch has departed when the rigorous search can advance by at least this part of the time
+/// since the start. A smaller step would mean a great many evaluations: the separation grows as slowly as the bounds
+/// allow, as where a contact force has decreased to zero smoothly (the separation then grows as the cube of time).
 const LEAST_PROGRESS: f64 = 1.0 / 64.0;
 
 /// A pair has departed anyway at this many touch tolerances: a touch cannot go on at such a separation.

@@ -15,8 +15,8 @@
 //! search then evaluates the separation at the times `t0 + (t1 - t0) 2^-j`:
 //!
 //! - From the first of these times at which the pair is clear and the rigorous search advances by a fair part of the
-//!   time since the start (`LEAST_PROGRESS`), it continues. Before, the separation grows so slowly that bounds of second
-//!   order cannot tell it from a touch: the touch goes on.
+//!   time since the start (`LEAST_PROGRESS`), it continues. Before, the separation grows so slowly that bounds of
+//!   second order cannot tell it from a touch: the touch goes on.
 //! - If the pair overlaps by more than the tolerance at one of them, the start of this overlap is bracketed and
 //!   located.
 //! - At the end of the interval, and before the pair separates again, an overlap by a small part of the tolerance

@@ -12,6 +12,8 @@
 //! | `signed_distance`, `sweep`, `lines` | the distance of a core from a point, from a segment or circle, and of two segments |
 //! | `gjk`, `simplex`, `polytopes`, `nearest_pair`, `curved` | the distance of two cores that are apart |
 //! | `penetration`, `spanned_feature` | the depth of two cores that overlap, along the axes of the narrow phase |
+//! | `error` | why a query has no result |
+//! | `feature` | the feature of a body that a query found |
 //!
 //! All lengths are in metres, poses and results in the world. Distances are Euclidean.
 //! [`separation`](crate::separation()) differs: it is the largest separation over the candidate axes, a lower bound of

@@ -40,7 +40,8 @@ pub enum ApproximateError {
     #[error("the concavity must be from 0 to 1, found {0}")]
     Concavity(f64),
     /// The resolution is out of its range.
-    #[error("the resolution must be from {low} to {high} voxels, found {0}", low = RESOLUTIONS[0], high = RESOLUTIONS[1])]
+    #[error("the resolution must be from {low} to {high} voxels, found \
+        {0}", low = RESOLUTIONS[0], high = RESOLUTIONS[1])]
     Resolution(u32),
     /// The number of parts is out of its range.
     #[error("the number of parts must be from {low} to {high}, found {0}", low = PARTS[0], high = PARTS[1])]

@@ -46,7 +46,8 @@ pub enum ShapeError {
     },
     /// The points are coplanar, collinear or coincident, or so nearly so that they enclose no volume.
     #[error(
-        "the points are flat: their thickness is {thickness:e} m, and a polyhedron of this size needs at least {limit:e} m"
+        "the points are flat: their thickness is {thickness:e} m, and a polyhedron of this size needs at least \
+         {limit:e} m"
     )]
     Flat {
         /// Extent along the thinnest direction, m.
@@ -137,8 +138,8 @@ pub enum ShapeError {
     Decomposition(#[from] DecompositionError),
     /// A convex part of a solid has no polyhedron.
     #[error(
-        "convex part {part} of {parts}, {size:e} m large at ({}, {}, {}) m, is refused: {reason}. Weld or repair the mesh \
-         there, or let its parts be approximate",
+        "convex part {part} of {parts}, {size:e} m large at ({}, {}, {}) m, is refused: {reason}. Weld or repair the \
+         mesh there, or let its parts be approximate",
         .at.x, .at.y, .at.z
     )]
     Part {

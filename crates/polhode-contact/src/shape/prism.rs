@@ -8,12 +8,12 @@
 use crate::Shape;
 use polhode_spatial::UnitVector;
 
-/// Largest cosine between perpendicular directions, and largest sine between parallel ones (no unit): the rounding of rotated
-/// unit vectors and of normals of faces.
+/// Largest cosine between perpendicular directions, and largest sine between parallel ones (no unit): the rounding of
+/// rotated unit vectors and of normals of faces.
 const ALIGNED: f64 = 64.0 * f64::EPSILON;
 
-/// Whether the shape is a prism, or a cylinder, along an axis of its frame. No answer but `false` is given for other shapes, of
-/// which some are prisms too.
+/// Whether the shape is a prism, or a cylinder, along an axis of its frame. No answer but `false` is given for other
+/// shapes, of which some are prisms too.
 pub fn is_prism_along(shape: &Shape, axis: UnitVector) -> bool {
     let axis = axis.get();
     match shape {

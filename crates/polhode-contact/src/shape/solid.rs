@@ -13,8 +13,8 @@ use polhode_mesh::{ConvexSolid, DecompositionSettings, SolidMesh, convex_decompo
 const CUT_ROUNDINGS: f64 = 16.0;
 
 /// Comparisons after which a mesh counts as too fine for exact parts: some six seconds' work, at 7e7 to 9e7 a second
-/// (optimised build, bumpy spheres of 5,000 to 330,000 triangles). Such a sphere of 5,000 triangles needs nearly all of it,
-/// a real part of 5,000 triangles, most of them on its hull, a small share.
+/// (optimised build, bumpy spheres of 5,000 to 330,000 triangles). Such a sphere of 5,000 triangles needs nearly all of
+/// it, a real part of 5,000 triangles, most of them on its hull, a small share.
 const MOST_COMPARISONS: u64 = 400_000_000;
 
 impl Shape {

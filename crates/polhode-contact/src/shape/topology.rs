@@ -241,8 +241,8 @@ fn at_vertices<'a>(loops: impl Iterator<Item = &'a [u32]> + Clone) -> impl Itera
 }
 
 /// Checks that faces are plane, and the polyhedron convex and thick enough, for vertices that are known within a
-/// tolerance (m). The vertex farthest in front of a plane is found in a tree of boxes, so that the time grows little faster than
-/// their number.
+/// tolerance (m). The vertex farthest in front of a plane is found in a tree of boxes, so that the time grows little
+/// faster than their number.
 fn check_geometry(polyhedron: &ConvexPolyhedron, tolerance: f64) -> Result<(), ShapeError> {
     let limit = (PLANE_TOLERANCE * polyhedron.size).max(tolerance);
     let thinnest = (THICKNESS_LIMIT * polyhedron.size).max(tolerance);

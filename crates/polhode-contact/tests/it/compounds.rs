@@ -276,8 +276,8 @@ fn invalid_compounds_are_refused() {
 }
 
 /// A body rocks on an edge, one end of which is a corner of two of its parts. Whichever end is lower, by more than the
-/// rounding of places but less than the touch distance, both ends are contacts, as of the body without parts: a contact at
-/// the lower end alone would let the other end fall until the two change places, step by step.
+/// rounding of places but less than the touch distance, both ends are contacts, as of the body without parts: a contact
+/// at the lower end alone would let the other end fall until the two change places, step by step.
 #[test]
 fn both_ends_of_an_edge_on_which_a_body_of_parts_rocks_are_contacts() {
     let placed = |size: DVec3| cuboid(size.x, size.y, size.z).translated(0.5 * size).expect("a finite place");

@@ -579,9 +579,9 @@ fn a_circle_has_at_most_one_local_minimum_on_either_half() {
     assert!(twos > 4000, "{twos}");
 }
 
-/// A ring that stands or lies on two flush parts of a body has contacts within the faces of these parts, on either side of
-/// the border between them. Those beyond the border of a face, and those with the edges that the parts share, do not take
-/// their place: they would end as the ring rolls on, with nothing below it.
+/// A ring that stands or lies on two flush parts of a body has contacts within the faces of these parts, on either side
+/// of the border between them. Those beyond the border of a face, and those with the edges that the parts share, do not
+/// take their place: they would end as the ring rolls on, with nothing below it.
 #[test]
 fn a_ring_over_the_border_of_two_parts_touches_the_face_below_it() {
     let tile = cuboid(0.2, 1.0, 0.1);

@@ -1,7 +1,7 @@
 //! RK4 of one free body, written by hand on (q, L): the yardstick of the exact drift's cost.
 //!
-//! `q' = q (0, I^-1 R^T L)/2` in principal axes with L constant, normalised after the step as the thesis does. Nothing is
-//! generic or allocated: four evaluations of 60 operations and their sums are all there is.
+//! `q' = q (0, I^-1 R^T L)/2` in principal axes with L constant, normalised after the step as the thesis does. Nothing
+//! is generic or allocated: four evaluations of 60 operations and their sums are all there is.
 
 use glam::{DQuat, DVec3};
 

@@ -1,7 +1,7 @@
 //! Free rotation over any time: Jacobi's elliptic functions and one elliptic integral of the third kind.
 //!
-//! **Momentum.** In canonical axes (`I1 <= I2 <= I3`, [`super::canonical`]) `N = (I3-I2) I1 p3^2 - (I2-I1) I3 p1^2` tells
-//! which axis c the momentum circles: c = 3, a = 1 for N > 0, else c = 1, a = 3. With the amplitudes
+//! **Momentum.** In canonical axes (`I1 <= I2 <= I3`, [`super::canonical`]) `N = (I3-I2) I1 p3^2 - (I2-I1) I3 p1^2`
+//! tells which axis c the momentum circles: c = 3, a = 1 for N > 0, else c = 1, a = 3. With the amplitudes
 //!
 //! ```text
 //! ac^2 = pc^2 + p2^2 (Ic/I2) |I2-Ia|/(I3-I1)      aa^2 = pa^2 + p2^2 (Ia/I2) |I2-Ic|/(I3-I1)
@@ -15,13 +15,14 @@
 //! `s p2/a2, pa/aa, |pc|/ac`, and at `lambda h` by the addition theorems (A&S 16.17), whose denominator is taken in
 //! the form without cancellation, `cn0^2 + sn0^2 dn^2`.
 //!
-//! **Attitude.** With the frame `B(t) = [b1 b2 b3]`, `b3 = p/|L|`, `b2 = b3 x e/|.|`, `b1 = b2 x b3`, e the body axis of c
-//! or a with the smaller amplitude (so that b3 never comes near e), `R(h) = R(0) B(0) Rz(psi) B(h)^T`. Let b be the other
-//! of c and a. Then `psi' = |L| (pb^2/Ib + p2^2/I2)/(pb^2 + p2^2)`, whose integral is
+//! **Attitude.** With the frame `B(t) = [b1 b2 b3]`, `b3 = p/|L|`, `b2 = b3 x e/|.|`, `b1 = b2 x b3`, e the body axis
+//! of c or a with the smaller amplitude (so that b3 never comes near e), `R(h) = R(0) B(0) Rz(psi) B(h)^T`. Let b be
+//! the other of c and a. Then `psi' = |L| (pb^2/Ib + p2^2/I2)/(pb^2 + p2^2)`, whose integral is
 //!
 //! ```text
 //! psi = |L| h/Ib + g [sqrt(delta) J(lambda h) + atan2(sqrt(delta) sn0 sn sn1, 1 + n (sn1^2 - sn0 sn cn1 dn1))]
-//! J(u) = int_0^u sn^2/(1 + n sn^2) = sn^3/3 RJ(cn^2, dn^2, 1, 1 + n sn^2),   delta = n (1+n) (n+m),   g = sign(Ib - I2)
+//! J(u) = int_0^u sn^2/(1 + n sn^2) = sn^3/3 RJ(cn^2, dn^2, 1, 1 + n sn^2)
+//! delta = n (1+n) (n+m),   g = sign(Ib - I2)
 //! n = |I2-Ia| Ic / (|I2-Ic| Ia) when b = a,   aa^2/ac^2 when b = c;   0 <= n <= 1
 //! ```
 //!
@@ -48,7 +49,8 @@ const MIDDLE: usize = 1;
 
 /// What is constant during a rotation that is not steady, in canonical units.
 #[derive(Debug, Clone, Copy, PartialEq)]
-// In this order: what an evaluation reads follows its use, and the complete integral, which few evaluations need, comes last.
+// In this order: what an evaluation reads follows its use, and the complete integral, which few evaluations need, comes
+// last.
 #[repr(C)]
 pub(super) struct Elliptic {
     /// Axis whose momentum follows dn: the one that the momentum circles.
@@ -215,7 +217,8 @@ fn normalized(sn: f64, cn: f64, dn: f64) -> JacobiValues {
     JacobiValues { sn: sn / length, cn: cn / length, dn }
 }
 
-/// The bracket in the formula of psi. Signs of sn, sn1, cn1 before the turning round by half periods: they enter in pairs.
+/// The bracket in the formula of psi. Signs of sn, sn1, cn1 before the turning round by half periods: they enter in
+/// pairs.
 #[inline]
 fn winding_angle<const N: usize>(
     own: [&Elliptic; N],

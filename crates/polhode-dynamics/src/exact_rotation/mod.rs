@@ -12,15 +12,15 @@
 //! | `complete_integral` | that integral over a quarter period | more than a half period |
 //!
 //! A rotation that is steady (sphere, principal axis, equator of a symmetric body, no rotation) is turned about its
-//! fixed axis. Errors for |w| |h| <= 10: momentum at most 5e-14 of |L|, attitude at most 1e-13 rad (measured over 120,000
-//! rotations of every difficult kind: 7e-15); for longer times, to 1000, at most 4 x 2^-53 times the condition number of
-//! the flow (measured: 1.4). The errors are for the numbers as they are passed: the rounding of `R^T L` is one of the
-//! perturbations that the condition number speaks of. Moments need not be in order; they must be positive, and bodies that
-//! break the triangle inequality are as exact as others up to a ratio of 1000. Numbers that are not finite give NaN;
-//! nothing loops without bound.
+//! fixed axis. Errors for |w| |h| <= 10: momentum at most 5e-14 of |L|, attitude at most 1e-13 rad (measured over
+//! 120,000 rotations of every difficult kind: 7e-15); for longer times, to 1000, at most 4 x 2^-53 times the condition
+//! number of the flow (measured: 1.4). The errors are for the numbers as they are passed: the rounding of `R^T L` is
+//! one of the perturbations that the condition number speaks of. Moments need not be in order; they must be positive,
+//! and bodies that break the triangle inequality are as exact as others up to a ratio of 1000. Numbers that are not
+//! finite give NaN; nothing loops without bound.
 //!
-//! Cost in instructions, a step of RK4 on (q, L) being 436: a drift of |w| h = 0.1 takes 950, one of any length 2700, the
-//! record of a flight 1650, a sample from it 720 to 1700 (examples/free_rotation_cost.rs).
+//! Cost in instructions, a step of RK4 on (q, L) being 436: a drift of |w| h = 0.1 takes 950, one of any length 2700,
+//! the record of a flight 1650, a sample from it 720 to 1700 (examples/free_rotation_cost.rs).
 
 mod canonical;
 mod complete_integral;
@@ -86,8 +86,8 @@ impl FreeRotation {
         Self::of(rotation, canonical, elliptic.as_ref())
     }
 
-    /// The steady rotation about the principal axis nearest the angular momentum, which is along it but for rounding: for
-    /// motions that are known to be planar. Left to itself the rounding grows about the middle axis.
+    /// The steady rotation about the principal axis nearest the angular momentum, which is along it but for rounding:
+    /// for motions that are known to be planar. Left to itself the rounding grows about the middle axis.
     pub fn steady(moments: DVec3, rotation: Rotation, angular_momentum: DVec3) -> Self {
         let in_body = rotation.inverse_rotate(angular_momentum);
         let along = in_body.abs();
@@ -166,7 +166,8 @@ impl FreeRotation {
         self.taylor.reaches(time).then(|| self.start * restored(&self.canonical, self.taylor.relative(time)))
     }
 
-    /// As [`FreeRotation::at`], by elliptic functions alone: nothing when the rotation is steady. For comparing the two.
+    /// As [`FreeRotation::at`], by elliptic functions alone: nothing when the rotation is steady. For comparing the
+    /// two.
     pub fn at_by_elliptic_functions(&self, h: f64) -> Option<Rotation> {
         let relative = self.elliptic.as_ref()?.relative(h * self.canonical.time_scale);
         Some(self.start * restored(&self.canonical, relative))
@@ -183,8 +184,8 @@ impl FreeRotation {
         self.elliptic.as_ref().map(|elliptic| elliptic.period() / self.canonical.time_scale)
     }
 
-    /// Rate lambda of the phase of Jacobi's functions that the momentum follows in body axes, rad/s: near the middle axis
-    /// the rate at which a deviation grows. Nothing when the rotation is steady.
+    /// Rate lambda of the phase of Jacobi's functions that the momentum follows in body axes, rad/s: near the middle
+    /// axis the rate at which a deviation grows. Nothing when the rotation is steady.
     pub fn phase_rate(&self) -> Option<f64> {
         self.elliptic.as_ref().map(|elliptic| elliptic.rate() * self.canonical.time_scale)
     }
@@ -200,8 +201,8 @@ impl FreeRotation {
         self.angular_speed_bound
     }
 
-    /// Upper bound of the angular acceleration at any time, rad/s^2: zero for a steady rotation, else at most twice what
-    /// is reached.
+    /// Upper bound of the angular acceleration at any time, rad/s^2: zero for a steady rotation, else at most twice
+    /// what is reached.
     pub const fn angular_acceleration_bound(&self) -> f64 {
         self.angular_acceleration_bound
     }

@@ -1,8 +1,8 @@
 //! Free rotation over a short phase: one power series in the square of the time, then algebra.
 //!
 //! With the rates `r1 = 1/I3 - 1/I2 <= 0, r2 = 1/I1 - 1/I3 >= 0, r3 = 1/I2 - 1/I1 <= 0` Euler's equations read
-//! `p1' = r1 p2 p3` and so on. `G1 = r2 p1^2 - r1 p2^2` and `G3 = r2 p3^2 - r3 p2^2` are constant, sums of positive terms.
-//! Let s be the half `h/2` of the time, `A = -r1 G3, B = -r3 G1`, and S the odd solution of
+//! `p1' = r1 p2 p3` and so on. `G1 = r2 p1^2 - r1 p2^2` and `G3 = r2 p3^2 - r3 p2^2` are constant, sums of positive
+//! terms. Let s be the half `h/2` of the time, `A = -r1 G3, B = -r3 G1`, and S the odd solution of
 //! `S'^2 = (1 - A S^2)(1 - B S^2)`, `C^2 = 1 - A S^2`, `D^2 = 1 - B S^2`: sn/lambda, cn, dn of `lambda s`, but without
 //! regard to which of A and B is the larger. All of this is at s. The momentum in the middle of the time is
 //!
@@ -10,7 +10,8 @@
 //! m1 = (p1 C + r1 p2 p3 S D)/d   m2 = (p2 C D + r2 p3 p1 S)/d   m3 = (p3 D + r3 p1 p2 S C)/d   d = 1 - r1 r3 p2^2 S^2
 //! ```
 //!
-//! by the addition theorems. Seen from there the motion is its own mirror image, and the rotation between its two ends is
+//! by the addition theorems. Seen from there the motion is its own mirror image, and the rotation between its two ends
+//! is
 //!
 //! ```text
 //! w = Q cos(a)    z = m3 (L D sin(a) - G1 S C cos(a))      x = m1 (L C sin(a) + G3 S D cos(a))
@@ -23,16 +24,17 @@
 //! quotient by a difference of moments nothing is special about tops and spheres. `Y = S^2` obeys
 //! `Y'' = 2 - 4 (A+B) Y + 6 A B Y^2`: three numbers per term. Its series converges for `|s| < (pi/2)/sqrt(max(A, B))`.
 //! Errors are relative to the turn, however short. Only + - * / and square roots are used but for sin(a), cos(a).
-//! Source: derived here from Euler's equations (Whittaker, 69) and the addition theorems (Abramowitz and Stegun, 16.17);
-//! docs/REFERENCES.md, Jorba and Zou 2005, for the recurrences; the form of the quaternion is that of the discrete
-//! mechanics of Moser and Veselov 1991.
+//! Source: derived here from Euler's equations (Whittaker, 69) and the addition theorems (Abramowitz and Stegun,
+//! 16.17); docs/REFERENCES.md, Jorba and Zou 2005, for the recurrences; the form of the quaternion is that of the
+//! discrete mechanics of Moser and Veselov 1991.
 
 use super::canonical::Canonical;
 use crate::lanes::Lanes;
 use glam::DQuat;
 
-/// Largest phase (rad) for which the power series is taken: `lambda h/2`, by the faster of the two rates of the momentum's
-/// Jacobi functions, of which a quarter period is pi/2 at least. There it costs as much as the elliptic functions.
+/// Largest phase (rad) for which the power series is taken: `lambda h/2`, by the faster of the two rates of the
+/// momentum's Jacobi functions, of which a quarter period is pi/2 at least. There it costs as much as the elliptic
+/// functions.
 pub const TAYLOR_REACH: f64 = 0.35;
 
 /// Room for the terms; within the reach 14 are the most that are used.

@@ -1,8 +1,8 @@
 //! Forces and torques applied to one body from outside: thrusters, motors, pushes; constant or following a [`Signal`].
 //!
-//! `F = s(t) f` at the body's point Q, with `torque = R (p_CQ - p_CBcm) x F` about the centre of mass; `torque = s(t) tau`.
-//! The direction is fixed in the world or turns with the body. Their work is external: also that of a constant force
-//! fixed in the world, which has a potential.
+//! `F = s(t) f` at the body's point Q, with `torque = R (p_CQ - p_CBcm) x F` about the centre of mass; `torque = s(t)
+//! tau`. The direction is fixed in the world or turns with the body. Their work is external: also that of a constant
+//! force fixed in the world, which has a potential.
 
 use super::error::finite_vector;
 use super::{Account, Dependence, Field, FieldError, Signal, Wrench};

@@ -51,6 +51,13 @@
 //! assert_eq!(wrenches[0].force.z, -2.0);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
+//!
+//! | module | holds |
+//! |---|---|
+//! | `applied_load` | [`AppliedForce`], [`AppliedTorque`] |
+//! | `error` | why numbers are no force field |
+//! | `link` | the line between two points, one of them on a body: what springs and dampers share |
+//! | `response` | how the force of a field changes with small motions of its bodies |
 
 pub mod applied_load;
 pub mod damper;
@@ -87,22 +94,23 @@ pub struct Wrench {
     pub torque: DVec3,
 }
 
-/// What a field's force depends on, which decides the methods that may integrate it, and whether bodies under it may be left
-/// at rest without being looked at.
+/// What a field's force depends on, which decides the methods that may integrate it, and whether bodies under it may be
+/// left at rest without being looked at.
 ///
-/// It is a promise: the wrenches of [`Field::add_wrenches`] depend on what is named here and on nothing else. A field whose
-/// force comes from a value that a program changes (a control, a measurement) depends on time, whatever its formula looks
-/// like, and must say [`Self::PosesAndTime`]. One that says [`Self::Poses`] all the same is not asked again while the bodies it
-/// acts on rest: they stay at rest, under the force of the moment at which they came to rest, until an event wakes them.
+/// It is a promise: the wrenches of [`Field::add_wrenches`] depend on what is named here and on nothing else. A field
+/// whose force comes from a value that a program changes (a control, a measurement) depends on time, whatever its
+/// formula looks like, and must say [`Self::PosesAndTime`]. One that says [`Self::Poses`] all the same is not asked
+/// again while the bodies it acts on rest: they stay at rest, under the force of the moment at which they came to rest,
+/// until an event wakes them.
 ///
 /// Even a field that depends on time is asked at the stages of steps only. A value that changes between two calls takes
 /// effect from the next step on, not within one that has been made; a jump at a known time belongs into
-/// [`Field::corner_between`], and a force that a program sets from outside into an action on the simulation, which ends the
-/// step and wakes what rests.
+/// [`Field::corner_between`], and a force that a program sets from outside into an action on the simulation, which ends
+/// the step and wakes what rests.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Dependence {
-    /// On poses alone: half of a splitting. At the same poses the force is the same at any time, which is why what rests under
-    /// it may be left at rest.
+    /// On poses alone: half of a splitting. At the same poses the force is the same at any time, which is why what
+    /// rests under it may be left at rest.
     Poses,
     /// On poses and time: bodies under it are integrated also while they do not move.
     PosesAndTime,
@@ -146,8 +154,8 @@ pub trait Field: Debug + Send + Sync {
         None
     }
 
-    /// Whether the field can exert a torque about the centre of mass of a body that it acts on. The attitude of a body that
-    /// no field turns is that of free rotation.
+    /// Whether the field can exert a torque about the centre of mass of a body that it acts on. The attitude of a body
+    /// that no field turns is that of free rotation.
     fn turns(&self, _body: usize) -> bool {
         true
     }
@@ -157,8 +165,8 @@ pub trait Field: Debug + Send + Sync {
         true
     }
 
-    /// The first time strictly between `from` and `to` (s, in either order) on the way from one to the other at which the
-    /// force is not smooth in time. Integrators under error control end a step there: a pulse between two of their
+    /// The first time strictly between `from` and `to` (s, in either order) on the way from one to the other at which
+    /// the force is not smooth in time. Integrators under error control end a step there: a pulse between two of their
     /// stages would pass unseen.
     fn corner_between(&self, _from: f64, _to: f64) -> Option<f64> {
         None

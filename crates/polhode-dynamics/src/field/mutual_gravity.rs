@@ -1,8 +1,8 @@
 //! Newton's attraction between the bodies of a scene.
 //!
-//! `F_ij = G m_i m_j r/|r|^3` along the line between the centres of mass, `V = -sum over pairs G m_i m_j/|r|`; bodies are
-//! taken as particles, as in [`super::point_gravity`]. Action equals reaction to the last bit, so momentum is conserved.
-//! Singular where two centres of mass meet.
+//! `F_ij = G m_i m_j r/|r|^3` along the line between the centres of mass, `V = -sum over pairs G m_i m_j/|r|`; bodies
+//! are taken as particles, as in [`super::point_gravity`]. Action equals reaction to the last bit, so momentum is
+//! conserved. Singular where two centres of mass meet.
 
 use super::error::not_negative;
 use super::point_gravity::{GRAVITATION, attraction};

@@ -1,8 +1,9 @@
 //! Gravity of a point that does not move: a star, a planet far heavier than what falls towards it.
 //!
-//! `F = -mu m r/|r|^3`, `V = -mu m/|r|`, r from the point to the centre of mass, `mu = G M` (m^3/s^2). The body is taken
-//! as a particle: no torque, so that a long body keeps its attitude (the gravity gradient is left out, relative to the
-//! force of the order of the body's size over the distance). Singular at the point, where the force is not finite.
+//! `F = -mu m r/|r|^3`, `V = -mu m/|r|`, r from the point to the centre of mass, `mu = G M` (m^3/s^2). The body is
+//! taken as a particle: no torque, so that a long body keeps its attitude (the gravity gradient is left out, relative
+//! to the force of the order of the body's size over the distance). Singular at the point, where the force is not
+//! finite.
 
 use super::error::{finite_vector, not_negative};
 use super::{Account, Dependence, Field, FieldError, Wrench};

@@ -1,7 +1,7 @@
 //! Linear spring between two points: `F = k (d - d0)` along the line between them, `V = k (d - d0)^2/2`.
 //!
-//! d the distance, d0 the length at rest. The force has no direction where the points coincide; a spring with a length at
-//! rest gives none there (its potential has a peak), one without is smooth. A spring with damping is a spring and a
+//! d the distance, d0 the length at rest. The force has no direction where the points coincide; a spring with a length
+//! at rest gives none there (its potential has a peak), one without is smooth. A spring with damping is a spring and a
 //! [`super::Damper`], whose work is booked elsewhere.
 
 use super::error::not_negative;

@@ -8,8 +8,9 @@
 //!
 //! The spin costs nothing, however fast, and an attitude that no torque turns is exact to rounding. Fields may depend
 //! on time, not on velocities. Source: docs/REFERENCES.md, Hairer, Lubich and Wanner, II.5; Hairer, Norsett and Wanner,
-//! II.4. How it fails: as [`super::AdaptiveDop853`], with which it shares [`IntegrationError::StepTooSmall`]: also when twice as many
-//! steps do not err less, where rounding decides. Order 4 makes a long way of strong forces: there DOP853 is cheaper.
+//! II.4. How it fails: as [`super::AdaptiveDop853`], with which it shares [`IntegrationError::StepTooSmall`]: also when
+//! twice as many steps do not err less, where rounding decides. Order 4 makes a long way of strong forces: there DOP853
+//! is cheaper.
 
 use super::dop853::{Tolerance, allowance};
 use super::drift_kick::{check, compose};
@@ -38,8 +39,8 @@ const MOST_STEPS: u32 = 1 << 21;
 /// Twice as many steps must bring the error below this share of what it was (the order promises 1/16)...
 const GAIN: f64 = 0.5;
 
-/// ... but for this many doublings in a row: the first are too coarse for the order, and where more do not help rounding
-/// or a singularity decides.
+/// ... but for this many doublings in a row: the first are too coarse for the order, and where more do not help
+/// rounding or a singularity decides.
 const FRUITLESS: u32 = 4;
 
 /// What refusals name the method by.

@@ -15,7 +15,8 @@
 //! each times `tolerance` and [`STEP_SHARE`], and not below the rounding of the numbers themselves.
 //! Source: docs/REFERENCES.md, Hairer, Norsett and Wanner, II.4, II.10.
 //! Steps end at the corners of signals. How it fails: another force that acts for a small part of a step (a pulse of a
-//! function of one's own, between two stages) can be missed; at a singularity the steps shrink until [`IntegrationError::StepTooSmall`].
+//! function of one's own, between two stages) can be missed; at a singularity the steps shrink until
+//! [`IntegrationError::StepTooSmall`].
 
 use super::saved::{NotItsVariables, Reader, write_count, write_states};
 use super::within_step::answered_at_end;
@@ -123,8 +124,8 @@ impl AdaptiveDop853 {
         self.inner.len()
     }
 
-    /// Writes the flat state at `t` in the inner step of this index, whose polynomials are made when they are first asked
-    /// for: most steps are never looked into.
+    /// Writes the flat state at `t` in the inner step of this index, whose polynomials are made when they are first
+    /// asked for: most steps are never looked into.
     fn interpolate(&mut self, motion: &FreeMotion<'_>, index: usize, t: f64) {
         if self.dense.as_ref().is_none_or(|(known, _)| *known != index) {
             let Some((start, h, state)) = self.inner.get(index) else { return };
@@ -262,8 +263,8 @@ impl Steps for SmoothSpan<'_, '_> {
     }
 }
 
-/// The error allowed in each quantity of one body; `rate` is the change of the state per second over the step, or at its
-/// start.
+/// The error allowed in each quantity of one body; `rate` is the change of the state per second over the step, or at
+/// its start.
 pub(super) fn allowance(
     body: &RigidBody,
     start: &[f64; WIDTH],

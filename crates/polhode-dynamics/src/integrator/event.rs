@@ -3,8 +3,8 @@
 //! The step is sampled at [`SAMPLES`] + 1 equally spaced times; the first interval whose ends have different signs is
 //! closed in by ITP: each estimate is the secant's, moved towards the middle and held within a range that shrinks as
 //! bisection would, so that it needs at most one evaluation more than bisection and few for a smooth function.
-//! Source: docs/REFERENCES.md, Oliveira and Takahashi 2021. How it fails: two changes of sign between neighbouring samples
-//! are not seen; a jump through zero is located like a zero.
+//! Source: docs/REFERENCES.md, Oliveira and Takahashi 2021. How it fails: two changes of sign between neighbouring
+//! samples are not seen; a jump through zero is located like a zero.
 
 use super::{IntegrationError, Integrator};
 use crate::{BodyState, FreeMotion};
@@ -22,8 +22,8 @@ pub const SAMPLES: u32 = 16;
 /// Most evaluations: halvings of a sixteenth of the step down to [`RESOLUTION`], twice over.
 const MAX_ITERATIONS: u32 = 128;
 
-/// ITP's parameters: how far the estimate moves to the middle, `K1 |b - a|^2 / (b0 - a0)`, and by how many evaluations it
-/// may fall behind bisection.
+/// ITP's parameters: how far the estimate moves to the middle, `K1 |b - a|^2 / (b0 - a0)`, and by how many evaluations
+/// it may fall behind bisection.
 const K1: f64 = 0.2;
 const SLACK: f64 = 1.0;
 

@@ -1,8 +1,8 @@
 //! Exact flight with forces as kicks.
 //!
-//! A body that nothing loads flies by its record ([`Flight`]), set at [`Integrator::start`] and never chained: its state
-//! at any time is exact to round-off, whatever the step. Fields, and the torque of gravity on a pivoted body, act as
-//! kicks between exact drifts, so that the error is proportional to the forces and vanishes with them:
+//! A body that nothing loads flies by its record ([`Flight`]), set at [`Integrator::start`] and never chained: its
+//! state at any time is exact to round-off, whatever the step. Fields, and the torque of gravity on a pivoted body, act
+//! as kicks between exact drifts, so that the error is proportional to the forces and vanishes with them:
 //!
 //! | member | composition | order |
 //! |---|---|---|

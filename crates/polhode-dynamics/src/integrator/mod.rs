@@ -11,8 +11,8 @@
 //! | `exact`, `exact-strang` | [`Exact`] | exact without forces, else 4, 2 | poses, time |
 //! | `exact-adaptive` | [`AdaptiveExact`] | exact without forces, else 4, error-controlled | poses, time |
 //!
-//! [`Method`] knows them by name; [`event::locate`] finds when a function of the states changes its sign within the last
-//! step of any of them.
+//! [`Method`] knows them by name; [`event::locate`] finds when a function of the states changes its sign within the
+//! last step of any of them.
 //!
 //! ```
 //! use polhode_dynamics::integrator::{Method, MethodSettings, event};
@@ -27,6 +27,25 @@
 //! assert!((landing.unwrap() - f64::sqrt(2.0 / 9.81)).abs() < 1e-12);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
+//!
+//! | module | holds |
+//! |---|---|
+//! | `method` | the methods by name, as a scene or a comparison asks for them |
+//! | `one_step` | what all methods of fixed step share |
+//! | `loads` | what acts on each body at one stage of a method |
+//! | `event` | location of events within a step |
+//! | `within_step` | what every method checks before it shows states within its last step |
+//! | `saved` | the variables that a method goes on from, as numbers |
+//! | `single_evaluation` | methods that evaluate the loads once a step, at its start |
+//! | `four_stages` | methods of four stages after the classical Runge-Kutta method |
+//! | `lie_stage` | the stages of methods on the group of rotations |
+//! | `orientation` | representations of orientation that the classical Runge-Kutta method integrates |
+//! | `split_step` | methods that split the motion into kicks and drifts |
+//! | `composition` | compositions of a method of order 2 into methods of higher order |
+//! | `drift_kick` | the two halves of free motion that are solved exactly |
+//! | `blanes_moan` | Blanes and Moan's composition of order 4 with six kicks |
+//! | `body_axes` | small formulae in body axes that several methods share |
+//! | `cayley_equation` | the equation of implicit maps of free rotation whose turn is Cayley's map of a vector |
 
 pub mod adaptive_exact;
 mod blanes_moan;
@@ -79,8 +98,8 @@ use std::fmt::Debug;
 /// A one-step method for free bodies.
 ///
 /// The method keeps its own variables from step to step (a matrix that has drifted from a rotation, say, is what it
-/// goes on from); [`Integrator::states`] shows them as states of bodies. It must be given the same motion at every step,
-/// and started anew when bodies, gravity or fields have changed.
+/// goes on from); [`Integrator::states`] shows them as states of bodies. It must be given the same motion at every
+/// step, and started anew when bodies, gravity or fields have changed.
 pub trait Integrator: Debug + Send {
     /// Order of convergence of the states at a fixed time.
     fn order(&self) -> u32;
@@ -150,7 +169,8 @@ pub enum IntegrationError {
     },
     /// An implicit equation was not solved.
     #[error(
-        "the implicit equation of the step changed by {change:e} (relative) after {iterations} iterations: shorten the step"
+        "the implicit equation of the step changed by {change:e} (relative) after {iterations} iterations: shorten the \
+         step"
     )]
     NoConvergence {
         /// Iterations made.

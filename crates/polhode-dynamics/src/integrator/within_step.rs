@@ -3,8 +3,9 @@
 use super::IntegrationError;
 use crate::{BodyState, FreeMotion};
 
-/// Checks that `states` are as many as the bodies and as the states `reached` at the end of the step, and that `t` lies in
-/// the step, whose ends (s) may be in either order. At its end the states are written, and nothing is left to do: true.
+/// Checks that `states` are as many as the bodies and as the states `reached` at the end of the step, and that `t` lies
+/// in the step, whose ends (s) may be in either order. At its end the states are written, and nothing is left to do:
+/// true.
 pub(super) fn answered_at_end(
     motion: &FreeMotion<'_>,
     [from, to]: [f64; 2],

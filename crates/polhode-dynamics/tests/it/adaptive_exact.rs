@@ -1,6 +1,6 @@
 //! What the method `exact-adaptive` promises: the error that was asked for, wherever on the motion the forces grow
-//! strong; energy that does not drift; an attitude that nothing turns exact to rounding; states within a step as good as
-//! at its end. And corners of signals: that no method under error control steps over a pulse.
+//! strong; energy that does not drift; an attitude that nothing turns exact to rounding; states within a step as good
+//! as at its end. And corners of signals: that no method under error control steps over a pulse.
 
 use crate::support::{bits, body, dop853, turned_body};
 use glam::DVec3;
@@ -109,7 +109,8 @@ fn states_within_steps() {
     }
 }
 
-/// Time turned back leads to the start, to the tolerance; a body that nothing loads flies by its record to the last bit.
+/// Time turned back leads to the start, to the tolerance; a body that nothing loads flies by its record to the last
+/// bit.
 #[test]
 fn time_turned_back_and_unloaded_bodies() {
     let (body, start) = tumbling(DVec3::X, DVec3::Y);
@@ -127,8 +128,8 @@ fn time_turned_back_and_unloaded_bodies() {
     assert!((back.linear_velocity - start.linear_velocity).length() < 1e-11);
 }
 
-/// A fall into the sun, forces that depend on velocities and a limit of the steps are errors that leave everything as it
-/// was.
+/// A fall into the sun, forces that depend on velocities and a limit of the steps are errors that leave everything as
+/// it was.
 #[test]
 fn what_cannot_be_done_is_an_error() {
     let (body, start) = tumbling(DVec3::X, DVec3::ZERO);

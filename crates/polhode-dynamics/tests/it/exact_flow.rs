@@ -178,8 +178,8 @@ pub(crate) fn condition(moments: DVec3, momentum: DVec3, h: f64) -> [f64; 2] {
     largest
 }
 
-/// Relative distance from the separatrix: the energy's excess over that of a turn about the middle axis, over the largest
-/// possible.
+/// Relative distance from the separatrix: the energy's excess over that of a turn about the middle axis, over the
+/// largest possible.
 pub(crate) fn separatrix_distance(moments: DVec3, momentum: DVec3) -> f64 {
     let (i, p) = (moments, momentum);
     let middle = i.element_sum() - i.min_element() - i.max_element();

@@ -36,8 +36,8 @@ fn samples_do_not_depend_on_what_was_asked_before() {
     assert_eq!(bits(&flight.state(0.0)), bits(flight.start()));
 }
 
-/// Flights evaluated together have the bits that each has alone: by the series, by elliptic functions over half periods too,
-/// next to the separatrix and on it, steady, and in groups that do not come out even.
+/// Flights evaluated together have the bits that each has alone: by the series, by elliptic functions over half periods
+/// too, next to the separatrix and on it, steady, and in groups that do not come out even.
 #[test]
 fn many_flights_have_the_bits_of_each_alone() {
     let moments = DVec3::new(1.0, 2.0, 3.0);
@@ -62,7 +62,8 @@ fn many_flights_have_the_bits_of_each_alone() {
     }
 }
 
-/// A spin about a principal axis of the body stays one to the last bit, and its angular acceleration is bounded by zero.
+/// A spin about a principal axis of the body stays one to the last bit, and its angular acceleration is bounded by
+/// zero.
 #[test]
 fn principal_spin_is_bounded_exactly() {
     for axis in DVec3::AXES {
@@ -143,8 +144,8 @@ proptest! {
     }
 }
 
-/// A body that is thrown spinning about its middle axis, turned so that rounding leaves the axis: the steady record keeps
-/// the spin for ever, as a motion in a plane must, while the general one shows the instability of the axis.
+/// A body that is thrown spinning about its middle axis, turned so that rounding leaves the axis: the steady record
+/// keeps the spin for ever, as a motion in a plane must, while the general one shows the instability of the axis.
 #[test]
 fn steady_record_keeps_the_spin_about_the_middle_axis() {
     let body = body(1.0, DVec3::new(1.0, 2.0, 3.0));

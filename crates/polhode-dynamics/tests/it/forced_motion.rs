@@ -133,8 +133,8 @@ fn damped_oscillator() {
     assert_eq!(splitting.states(), start, "a step that failed leaves the states alone");
 }
 
-/// Linear drag under gravity in a wind: the velocity relaxes to the terminal one, `v = u + g/k + (v0 - u - g/k) exp(-k t)`
-/// with `k = c/m`; a spin about a principal axis dies out likewise.
+/// Linear drag under gravity in a wind: the velocity relaxes to the terminal one, `v = u + g/k + (v0 - u - g/k) exp(-k
+/// t)` with `k = c/m`; a spin about a principal axis dies out likewise.
 #[test]
 fn linear_drag() {
     let bodies = [body(2.0, DVec3::new(1.0, 2.0, 3.0))];
@@ -156,8 +156,8 @@ fn linear_drag() {
     assert!((spin - DVec3::Z * (7.0 * f64::exp(-0.3 * t))).length() < 1e-11);
 }
 
-/// Quadratic drag: a fall from rest has `v = v_t tanh(g t/v_t)`, `z = v_t^2/g ln cosh(g t/v_t)`, and ends at the terminal
-/// speed `v_t = sqrt(m g/c)`; a spin dies out as `w0/(1 + k w0 t/I)`.
+/// Quadratic drag: a fall from rest has `v = v_t tanh(g t/v_t)`, `z = v_t^2/g ln cosh(g t/v_t)`, and ends at the
+/// terminal speed `v_t = sqrt(m g/c)`; a spin dies out as `w0/(1 + k w0 t/I)`.
 #[test]
 fn quadratic_drag() {
     let bodies = [body(2.0, DVec3::new(1.0, 2.0, 3.0))];

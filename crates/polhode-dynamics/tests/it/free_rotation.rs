@@ -60,8 +60,8 @@ fn middle_axis_flips_on_time() {
     }
 }
 
-/// FR-03: a millionth of a percent off the middle axis: the first flips come when the closed form says, and until then the
-/// deviation grows at the rate of the linear theory.
+/// FR-03: a millionth of a percent off the middle axis: the first flips come when the closed form says, and until then
+/// the deviation grows at the rate of the linear theory.
 #[test]
 fn extreme_near_separatrix_flips_on_time() {
     let (body, flight) = spin(DVec3::new(1.0, 2.0, 3.0), DVec3::new(1e-8, 1.0, 1e-8));
@@ -102,8 +102,8 @@ fn book_wobbles_and_grows_at_the_known_rates() {
     assert!((wobble(DVec3::Z, DVec3::Y) / 0.6031793794762581 - 1.0).abs() < 1e-12);
     let (body, flight) = spin(moments, DVec3::Y + 1e-9 * DVec3::X + 1e-9 * DVec3::Z);
     let distance = |t: f64| body_rate(&body, &flight.state(t)).x.abs();
-    // Between 14 and 21 s the growing part is 1e7 times the decaying one, and the square of what it is of the spin below
-    // 1e-7.
+    // Between 14 and 21 s the growing part is 1e7 times the decaying one, and the square of what it is of the spin
+    // below 1e-7.
     let growth = (distance(21.0) / distance(14.0)).ln() / 7.0;
     assert!((growth / 0.5825517280354631 - 1.0).abs() < 1e-6, "growth {growth}");
 }
@@ -125,8 +125,8 @@ fn needle_and_plate() {
     assert!(quaternion_error(end.pose.rotation, reference) < 1e-12);
 }
 
-/// FR-07: even chained, a million drifts lose neither energy nor momentum, the quaternion stays unit, and the momentum's
-/// direction in the world stays: R p = L.
+/// FR-07: even chained, a million drifts lose neither energy nor momentum, the quaternion stays unit, and the
+/// momentum's direction in the world stays: R p = L.
 #[test]
 fn a_million_chained_drifts_keep_the_invariants() {
     let (moments, momentum) = (DVec3::new(1.0, 2.0, 3.0), DVec3::new(1.0, 2.0, 3.0));
@@ -148,15 +148,15 @@ fn a_million_chained_drifts_keep_the_invariants() {
         assert!(excess.iter().all(|x| x.abs() < 1e-14), "{excess:?}");
         let back = attitude.rotate(attitude.inverse_rotate(momentum));
         assert!(back.angle_between(momentum) < 1e-11);
-        // What a chain costs against one evaluation: the energy walks at random, by 1e-16 a step and 1e-13 in all, and the
-        // phase is off by that part of the thousand radians.
+        // What a chain costs against one evaluation: the energy walks at random, by 1e-16 a step and 1e-13 in all, and
+        // the phase is off by that part of the thousand radians.
         let at_once = drift(moments, Rotation::IDENTITY, momentum, 1e6 * h);
         assert!(attitude.angle_to(at_once) < 1e-9, "h = {h}: {:e}", attitude.angle_to(at_once));
     }
 }
 
-/// FR-02 and FR-04 over a thousand seconds: each sample is one evaluation of the record, so that energy and momentum are
-/// those of the start however many samples there are. Returns the largest relative errors of the two.
+/// FR-02 and FR-04 over a thousand seconds: each sample is one evaluation of the record, so that energy and momentum
+/// are those of the start however many samples there are. Returns the largest relative errors of the two.
 fn sampled_invariants(w0: DVec3, count: u32) -> [f64; 2] {
     let (body, flight) = spin(DVec3::new(1.0, 2.0, 3.0), w0);
     let energy = body.rotational_energy(flight.start());

@@ -1,5 +1,5 @@
-//! The exact rotation, and the oracle of this folder, against 167 hard rotations computed to 40 digits by another program
-//! in another language (fixtures/reference/free_rotation, where the recipe stands).
+//! The exact rotation, and the oracle of this folder, against 167 hard rotations computed to 40 digits by another
+//! program in another language (fixtures/reference/free_rotation, where the recipe stands).
 
 use crate::exact_flow::{Outcome, condition, flow, separatrix_distance};
 use crate::random_bodies::{Case, errors, per_condition};
@@ -39,8 +39,8 @@ fn cases() -> Vec<Hard> {
         .collect()
 }
 
-/// The oracle has at least 22 digits right in short rotations. In long ones it has lost what returns to an unstable axis
-/// take, and must still be a thousand times better than any double could be.
+/// The oracle has at least 22 digits right in short rotations. In long ones it has lost what returns to an unstable
+/// axis take, and must still be a thousand times better than any double could be.
 #[test]
 fn oracle_agrees_with_another_program() {
     /// The oracle's own limit; see `long_survey`.
@@ -70,8 +70,8 @@ fn condition_numbers_agree_with_another_program() {
     }
 }
 
-/// Momentum to 5e-14, attitude to 1e-13 (5e-14 where nothing is special) for up to ten radians, whichever branch computes
-/// it; for more, both to four units in the last place of the arguments.
+/// Momentum to 5e-14, attitude to 1e-13 (5e-14 where nothing is special) for up to ten radians, whichever branch
+/// computes it; for more, both to four units in the last place of the arguments.
 #[test]
 fn hard_cases_are_met() {
     let cases = cases();

@@ -100,8 +100,8 @@ fn strang_has_order_two() {
     }
 }
 
-/// Order 4, and the errors of the table: 1.9e-9, 8.5e-12 and the floor of the table's own reference (2e-12), and 2.8e-7,
-/// 1.1e-9, 3.7e-12. The last pair under the weak force is at round-off.
+/// Order 4, and the errors of the table: 1.9e-9, 8.5e-12 and the floor of the table's own reference (2e-12), and
+/// 2.8e-7, 1.1e-9, 3.7e-12. The last pair under the weak force is at round-off.
 #[test]
 fn blanes_moan_has_order_four() {
     for (reference, table) in REFERENCES.iter().zip([[1.9e-9, 8.5e-12, 0.0], [2.8e-7, 1.1e-9, 3.7e-12]]) {

@@ -1,4 +1,5 @@
-//! Symmetric tops on a pivot under gravity: validation cases HT-01, HT-02, HT-03, HT-05 (elliptic integrals, 20 digits).
+//! Symmetric tops on a pivot under gravity: validation cases HT-01, HT-02, HT-03, HT-05 (elliptic integrals, 20
+//! digits).
 //!
 //! Moments about the pivot A = 1 (transverse) and C = 0.5 (axial), m = 1, the centre of mass at l = 0.5 on the axis,
 //! g = 9.81. Attitude by Euler angles z-x-z: phi, theta, psi.
@@ -192,7 +193,8 @@ fn sleeping_top() {
     let (c_slow, c_fast) = (1.0 + fall(slow).cos(), 1.0 + fall(fast).cos());
     let slope = (c_fast - c_slow) / (fast * fast - slow * slow);
     relative((slow * slow + (2.0 - c_slow) / slope).sqrt(), critical, 1e-4);
-    // Just above the critical spin a tilt stays as small as it was, to the ratio that the frequency's difference allows.
+    // Just above the critical spin a tilt stays as small as it was, to the ratio that the frequency's difference
+    // allows.
     let mut above = Exact::blanes_moan();
     let start = tilted(&top, 1e-6, 1.01 * critical, 0.0);
     above.start(&motion, 0.0, &[start]);

@@ -32,8 +32,8 @@ fn distance(a: &BodyState, b: &BodyState) -> f64 {
     (a.pose.translation - b.pose.translation).length() + a.pose.rotation.angle_to(b.pose.rotation)
 }
 
-/// A body hung from a spring off its centre, half a second in 1000 steps: every method comes as near to the truth as its
-/// order lets it, and drag is taken by those that say so and refused by the others.
+/// A body hung from a spring off its centre, half a second in 1000 steps: every method comes as near to the truth as
+/// its order lets it, and drag is taken by those that say so and refused by the others.
 #[test]
 fn methods_agree() {
     let (body, start, spring) = hung();

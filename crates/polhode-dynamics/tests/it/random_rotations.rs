@@ -1,8 +1,8 @@
 //! The exact rotation against the oracle of 30 digits, over random bodies of every kind that is hard for some method.
 //!
 //! Up to `|w| h = 10` the errors must stay below fixed limits; the measured ones are a tenth of them. Beyond, to
-//! `|w| h = 1000`, no method in doubles can do better than what the rounding of its arguments does to the result: the errors
-//! are held against the flow's own condition number. The full survey (a hundred times as many) is
+//! `|w| h = 1000`, no method in doubles can do better than what the rounding of its arguments does to the result: the
+//! errors are held against the flow's own condition number. The full survey (a hundred times as many) is
 //! examples/free_rotation_survey.rs.
 
 use crate::exact_flow::flow;

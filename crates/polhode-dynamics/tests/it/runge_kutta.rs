@@ -165,8 +165,8 @@ fn errors_of_parts_of_the_state() {
     assert!(method.error_of(0..2).is_nan());
 }
 
-/// Twelve evaluations for the first step, eleven for a repeated one, and the three of the dense output plus the rates at
-/// the end, with which the next step then begins.
+/// Twelve evaluations for the first step, eleven for a repeated one, and the three of the dense output plus the rates
+/// at the end, with which the next step then begins.
 #[test]
 fn dop853_evaluates_no_stage_twice() {
     let mut system = Pendulum { evaluations: 0 };

@@ -1,5 +1,5 @@
-//! Bad input: every number that is none, every size and ratio out of its range, folded elements and steps beyond the limit are
-//! refused with an error that holds the value and the limit; nothing panics.
+//! Bad input: every number that is none, every size and ratio out of its range, folded elements and steps beyond the
+//! limit are refused with an error that holds the value and the limit; nothing panics.
 
 use crate::rubber;
 use polhode_elastic::{

@@ -1,6 +1,6 @@
-//! Energy and momentum: what a body that turns and vibrates has is constant; what the floor gives is booked. The ledgers are
-//! sums of other terms than the energies and momenta themselves, so that they close to rounding only if forces are the
-//! derivative of the energy, internal forces balance, and impulses are where they act.
+//! Energy and momentum: what a body that turns and vibrates has is constant; what the floor gives is booked. The
+//! ledgers are sums of other terms than the energies and momenta themselves, so that they close to rounding only if
+//! forces are the derivative of the energy, internal forces balance, and impulses are where they act.
 
 use crate::rubber;
 use polhode_elastic::{Cells, DVec2, ElasticBody, ElasticRun, Guide, NodeStates, QuadMesh, RectangleDrop};

@@ -1,6 +1,6 @@
-//! Drops: the confined rectangle has a closed form (a wave goes up and comes back, and the bar leaves as it came: contact time
-//! `2 L / c_p`, impulse `2 m v`); mirrored, scaled and flat drops have the symmetry that they should; and a short run has
-//! the same bits everywhere.
+//! Drops: the confined rectangle has a closed form (a wave goes up and comes back, and the bar leaves as it came:
+//! contact time `2 L / c_p`, impulse `2 m v`); mirrored, scaled and flat drops have the symmetry that they should; and
+//! a short run has the same bits everywhere.
 
 use crate::rubber;
 use polhode_elastic::{Cells, DVec2, DropReport, DropStudy, ElasticMaterial, Quantity, RectangleDrop};

@@ -1,5 +1,5 @@
-//! What polhode-elastic promises: the statics and waves of elastic matter, conservation, the closed form of the confined
-//! bar, errors for bad input, and the same bits everywhere.
+//! What polhode-elastic promises: the statics and waves of elastic matter, conservation, the closed form of the
+//! confined bar, errors for bad input, and the same bits everywhere.
 
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
 

@@ -1,6 +1,6 @@
 //! The patch test: a uniform strain, however large and however the body is turned, is reproduced exactly by elements of
-//! any shape. Nodes inside have no force, and all elements the same stress. A rotation gives none. Whatever fails this does not
-//! converge to the right solution on every mesh.
+//! any shape. Nodes inside have no force, and all elements the same stress. A rotation gives none. Whatever fails this
+//! does not converge to the right solution on every mesh.
 
 use crate::rubber;
 use polhode_elastic::{DMat2, DVec2, ElasticBody, ElasticRun, Guide, NodeStates, QuadMesh};

@@ -1,7 +1,7 @@
-//! Lame's modes: a free square of side L has vibrations in closed form, `u = (-cos kx sin kz, sin kx cos kz) cos(omega t)` with
-//! `k = pi / L` and `omega = sqrt(2) k c_s`, whose stress vanishes on all four sides. Their volume does not change, so that the
-//! Poisson ratio must not matter. They show the order of convergence of elements, masses and steps together, and that nothing
-//! locks. Source: docs/REFERENCES.md, Achenbach 1973.
+//! Lame's modes: a free square of side L has vibrations in closed form, `u = (-cos kx sin kz, sin kx cos kz) cos(omega
+//! t)` with `k = pi / L` and `omega = sqrt(2) k c_s`, whose stress vanishes on all four sides. Their volume does not
+//! change, so that the Poisson ratio must not matter. They show the order of convergence of elements, masses and steps
+//! together, and that nothing locks. Source: docs/REFERENCES.md, Achenbach 1973.
 
 use polhode_elastic::{Cells, DVec2, ElasticBody, ElasticMaterial, ElasticRun, Guide, NodeStates, QuadMesh};
 use std::f64::consts::{FRAC_1_SQRT_2, PI};

@@ -1,5 +1,5 @@
-//! Waves in a confined bar: with steps at the limit a wave moves by one element a step, keeping its shape to rounding: its speed is
-//! c_p and nothing disperses. At shorter steps the error goes with the square of the size of the elements.
+//! Waves in a confined bar: with steps at the limit a wave moves by one element a step, keeping its shape to rounding:
+//! its speed is c_p and nothing disperses. At shorter steps the error goes with the square of the size of the elements.
 
 use crate::rubber;
 use polhode_elastic::{Cells, DVec2, ElasticBody, ElasticRun, Guide, NodeStates, QuadMesh};

@@ -1,8 +1,8 @@
 //! Quickhull: outward triangles of the convex hull of points, with exact predicates.
 //!
 //! A tetrahedron grows by one point at a time: the farthest of those outside some face. The faces that the point sees
-//! (strictly, by the exact sign) are one connected cap, because coplanar triangles have one and the same sign; the cap is
-//! replaced by triangles from its border to the point, and the points outside the removed faces are handed on.
+//! (strictly, by the exact sign) are one connected cap, because coplanar triangles have one and the same sign; the cap
+//! is replaced by triangles from its border to the point, and the points outside the removed faces are handed on.
 
 use crate::predicates::{are_collinear, side_of_plane};
 use glam::DVec3;

@@ -66,8 +66,9 @@ fn wedge(space: &Space, faces: &[Face], joint: Joint) -> f64 {
     if angle < 0.0 { angle + TAU } else { angle }
 }
 
-/// Whether the material turns through more than half a turn, by more than rounding: each face must stand in front of the
-/// plane of the other by more than the tolerance, for the plane of a sliver is not well known but that of its neighbour is.
+/// Whether the material turns through more than half a turn, by more than rounding: each face must stand in front of
+/// the plane of the other by more than the tolerance, for the plane of a sliver is not well known but that of its
+/// neighbour is.
 fn is_reflex(space: &Space, faces: &[Face], joint: Joint) -> bool {
     let (_, into_second, normal) = directions(space, faces, joint);
     if normal.dot(into_second) <= 0.0 {

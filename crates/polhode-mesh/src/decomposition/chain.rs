@@ -43,8 +43,8 @@ pub(super) fn vertices(faces: &[Face]) -> Vec<u32> {
     result
 }
 
-/// A closed chain as loops that do not cross themselves. Where several meet at a vertex, each turns as far to the left as
-/// it can, so that what touches in a point comes apart there. `normal` is outward.
+/// A closed chain as loops that do not cross themselves. Where several meet at a vertex, each turns as far to the left
+/// as it can, so that what touches in a point comes apart there. `normal` is outward.
 pub(super) fn loops(edges: &[Edge], positions: &[DVec3], normal: DVec3) -> Vec<Vec<Edge>> {
     let mut edges = edges.to_vec();
     edges.sort_unstable();

@@ -123,8 +123,8 @@ pub(super) fn plane_through_reflex_edge(
     Some((index, Sides::new(distances)))
 }
 
-/// The best plane among those of the faces that have vertices in front, for a piece that is not convex although it has no
-/// reflex edge.
+/// The best plane among those of the faces that have vertices in front, for a piece that is not convex although it has
+/// no reflex edge.
 pub(super) fn plane_of_dented_face(space: &mut Space, group: &Group) -> Option<(u32, Sides)> {
     let piece = Numbered::of(space, group);
     let mut best = Best::default();

@@ -45,7 +45,8 @@ impl Space {
     }
 }
 
-/// The side of a plane that each vertex of the piece that was numbered last lies on, with its distance (m, zero on the plane).
+/// The side of a plane that each vertex of the piece that was numbered last lies on, with its distance (m, zero on the
+/// plane).
 #[derive(Debug)]
 pub(super) struct Sides {
     distances: Vec<f64>,
@@ -113,8 +114,8 @@ struct Halves {
 }
 
 impl Halves {
-    /// Splits edges that pass through the plane; `crossings` holds the new vertices, so that the faces on both sides of an
-    /// edge get the same one.
+    /// Splits edges that pass through the plane; `crossings` holds the new vertices, so that the faces on both sides of
+    /// an edge get the same one.
     fn of(space: &mut Space, face: &Face, sides: &Sides, crossings: &mut BTreeMap<Edge, u32>) -> Self {
         let mut result = Self::default();
         for &(from, to) in &face.edges {

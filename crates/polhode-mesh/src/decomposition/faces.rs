@@ -60,7 +60,8 @@ fn region(
             }
             let corners = mesh.corners(mesh.triangles()[neighbor as usize]);
             let is_in_plane = corners.iter().all(|&corner| plane.distance(corner).abs() <= tolerance);
-            // A triangle that faces the other way is the far side of a thin plate, unless it is too thin to face any way.
+            // A triangle that faces the other way is the far side of a thin plate, unless it is too thin to face any
+            // way.
             let faces_back = Plane::of_triangle(corners).is_some_and(|other| other.normal.dot(plane.normal) < 0.0)
                 && height(corners) > tolerance;
             if is_in_plane && !faces_back {

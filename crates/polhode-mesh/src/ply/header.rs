@@ -229,7 +229,8 @@ impl<'a> Line<'a> {
 
     /// Adds the property of this line to an element.
     fn property(&self, element: &mut Element<'a>, earlier: &mut BTreeSet<&'a [u8]>) -> Result<(), ReadError> {
-        let accepted = "property TYPE NAME or property list TYPE TYPE NAME with char, uchar, short, ushort, int, uint, float, double";
+        let accepted = "property TYPE NAME or property list TYPE TYPE NAME with char, uchar, short, ushort, int, uint, \
+            float, double";
         let scalar = |name: &[u8]| Scalar::named(name).ok_or_else(|| self.expected(accepted));
         let property = match self.words[..] {
             [_, b"list", count, item, name] => {

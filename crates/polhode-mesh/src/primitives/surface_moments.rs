@@ -11,9 +11,9 @@
 //!                      * (3 z_x / (t + z_x) + z_y / (t + z_y) + z_z / (t + z_z)) dt .
 //! ```
 //!
-//! With `t = e^u` the integrand is analytic for `|Im u| < pi` and decays exponentially on both sides, so the trapezoidal
-//! rule of step h errs by about `exp(-2 pi^2 / h)` (docs/REFERENCES.md, Trefethen and Weideman 2014): below one
-//! rounding at the step chosen. All terms are positive, so nothing cancels, whatever the ratio of the axes.
+//! With `t = e^u` the integrand is analytic for `|Im u| < pi` and decays exponentially on both sides, so the
+//! trapezoidal rule of step h errs by about `exp(-2 pi^2 / h)` (docs/REFERENCES.md, Trefethen and Weideman 2014): below
+//! one rounding at the step chosen. All terms are positive, so nothing cancels, whatever the ratio of the axes.
 
 use glam::DVec3;
 use polhode_spatial::CompensatedSum;

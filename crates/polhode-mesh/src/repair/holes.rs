@@ -1,13 +1,13 @@
 //! Holes: closed rims of open edges, filled by the triangulation of least area.
 //!
-//! From an open edge the rim goes on with the next open edge in the fan of triangles around its end; where it comes back
-//! to a vertex it has passed, what lies between is a hole of its own, so that holes that share a vertex are told apart.
-//! Over a rim of n corners `W(i, j) = min over i < k < j of W(i, k) + W(k, j) +
+//! From an open edge the rim goes on with the next open edge in the fan of triangles around its end; where it comes
+//! back to a vertex it has passed, what lies between is a hole of its own, so that holes that share a vertex are told
+//! apart. Over a rim of n corners `W(i, j) = min over i < k < j of W(i, k) + W(k, j) +
 //! area(i, k, j)` is the least area of a triangulation of the corners i to j (docs/REFERENCES.md, Barequet and Sharir
 //! 1995); no new vertex is made. Edges that the mesh already has are not used again, for they would be those of three
-//! triangles; a rim that has no triangulation without them stays open. So does the rim of a sheet, for its filling would be
-//! a second sheet upon the first and no solid: a filling may have at most [`LARGEST_FILLING`] of the area of the component
-//! it closes. Cost: n^3 / 6 areas.
+//! triangles; a rim that has no triangulation without them stays open. So does the rim of a sheet, for its filling
+//! would be a second sheet upon the first and no solid: a filling may have at most [`LARGEST_FILLING`] of the area of
+//! the component it closes. Cost: n^3 / 6 areas.
 
 use crate::repair::orientation::{HalfEdges, Side, open_sides};
 use crate::surface_integrals::triangle_area;

@@ -1,5 +1,5 @@
-//! Binary STL: 80 bytes that mean nothing, the number of triangles as u32, and for each its normal and corners as twelve
-//! f32 and two bytes that mean nothing; little endian.
+//! Binary STL: 80 bytes that mean nothing, the number of triangles as u32, and for each its normal and corners as
+//! twelve f32 and two bytes that mean nothing; little endian.
 
 use super::normal::unit_normal;
 use crate::mesh_builder::MeshBuilder;
@@ -69,8 +69,8 @@ fn position(numbers: &[u8], at: usize) -> Result<[f64; 3], ReadError> {
     Ok(position)
 }
 
-/// The bytes of a binary STL file. Every coordinate is rounded to f32, by up to 6e-8 of itself (2^-24); vertices that no
-/// triangle uses are left out.
+/// The bytes of a binary STL file. Every coordinate is rounded to f32, by up to 6e-8 of itself (2^-24); vertices that
+/// no triangle uses are left out.
 ///
 /// # Errors
 /// [`WriteError::BeyondF32`] when a coordinate has no f32.

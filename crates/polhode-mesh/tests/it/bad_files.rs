@@ -81,7 +81,8 @@ fn false_counts() {
 
     let header = |vertices: u64, faces: u64| {
         format!(
-            "ply\nformat binary_little_endian 1.0\nelement vertex {vertices}\nproperty float x\nproperty float y\nproperty float z\n\
+            "ply\nformat binary_little_endian 1.0\nelement vertex {vertices}\nproperty float x\nproperty float y\n\
+             property float z\n\
              element face {faces}\nproperty list uint int vertex_indices\nend_header\n"
         )
         .into_bytes()
@@ -210,8 +211,8 @@ proptest! {
     }
 }
 
-/// A header of very many elements, or of one with very many properties, is read in the time of its bytes; names that come
-/// twice and a second format are refused.
+/// A header of very many elements, or of one with very many properties, is read in the time of its bytes; names that
+/// come twice and a second format are refused.
 #[test]
 fn long_ply_headers() {
     let elements: String = (0..50_000).map(|k| format!("element e{k} 0\n")).collect::<Vec<_>>().concat();

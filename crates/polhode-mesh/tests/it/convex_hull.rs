@@ -1,5 +1,5 @@
-//! Hulls are exact: convex to the last bit, no point left outside, no corner that is a mixture of others, and typed errors
-//! for everything that has no hull.
+//! Hulls are exact: convex to the last bit, no point left outside, no corner that is a mixture of others, and typed
+//! errors for everything that has no hull.
 
 use crate::shapes::{assert_relative, icosphere};
 use polhode_mesh::{ConvexHull, DefectKind, HullError, PointLocation, PointLocator, TriangleMesh, convexity, diagnose};
@@ -21,7 +21,8 @@ pub(crate) fn scattered(count: usize, seed: u64) -> Vec<DVec3> {
 fn check(points: &[DVec3]) -> ConvexHull {
     let hull = ConvexHull::of(points).unwrap();
     let mesh = hull.solid().mesh();
-    // Points that are collinear to rounding only make triangles that are flat to rounding only: harmless, and no others.
+    // Points that are collinear to rounding only make triangles that are flat to rounding only: harmless, and no
+    // others.
     assert!(diagnose(mesh).defects.iter().all(|d| d.kind == DefectKind::DegenerateTriangle), "{:?}", diagnose(mesh));
     assert_eq!(convexity(hull.solid().solid()).excess, 0.0);
     let corners: Vec<DVec3> = hull.sources().iter().map(|&source| points[source as usize]).collect();

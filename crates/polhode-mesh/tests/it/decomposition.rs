@@ -193,7 +193,8 @@ proptest! {
         check(&solid_of(joined(&[&ball, &void])));
     }
 
-    /// Columns of boxes: coplanar faces, edges in one line, many reflex edges in one plane; exact coordinates lose nothing.
+    /// Columns of boxes: coplanar faces, edges in one line, many reflex edges in one plane; exact coordinates lose
+    /// nothing.
     #[test]
     fn boxes_with_notches(heights in prop::collection::vec(1..4i32, 9), angle in -3.0..3.0f64) {
         let mesh = columns(&heights, 3);

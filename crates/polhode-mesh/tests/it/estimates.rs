@@ -64,8 +64,8 @@ fn too_few_points() {
     assert_eq!(nothing, Err(MonteCarloError::Inside { inside: 0, samples: 10 }));
 }
 
-/// The reference point does not matter, but for rounding: near the body all choices agree to rounding, solid and hollow,
-/// and any other point near it does too.
+/// The reference point does not matter, but for rounding: near the body all choices agree to rounding, solid and
+/// hollow, and any other point near it does too.
 #[test]
 fn near_the_body_every_reference_point_will_do() {
     let shape = mesh(L_SHAPE);

@@ -120,7 +120,8 @@ fn mp_06_box_with_slivers() {
     assert_inertia(&body, [1.0 / 6.0, 1.0 / 6.0, 1.0 / 6.0, 0.0, 0.0, 0.0], 1e-14);
 }
 
-/// A mesh in a sphere has the properties of the mesh, which converge to those of the sphere with the square of the edge.
+/// A mesh in a sphere has the properties of the mesh, which converge to those of the sphere with the square of the
+/// edge.
 #[test]
 fn mp_07_icosphere() {
     let volume = [

@@ -97,7 +97,8 @@ fn a_binary_stl_that_begins_with_solid_is_binary() {
 fn stl_text_as_real_programs_write_it() {
     let facet = |z: u8| {
         format!(
-            "  FACET NORMAL nan 0 1\n OUTER LOOP\nVertex 0 0 {z}\nvertex 1 -0.0 {z}\nvertex 0 1e0 {z}\nEndLoop\nendfacet\n"
+            "  FACET NORMAL nan 0 1\n OUTER LOOP\nVertex 0 0 {z}\nvertex 1 -0.0 {z}\nvertex 0 1e0 {z}\nEndLoop\n\
+             endfacet\n"
         )
     };
     let text = format!(

@@ -44,8 +44,10 @@ fn forward_references() {
 
 #[test]
 fn what_is_not_shape_is_ignored() {
-    let text = b"\xEF\xBB\xBF# caf\xE9 \xFF\xFE not UTF-8, and a path C:\\models\\\nmtllib a b.mtl\no thing\n\nv 0 0 0 1.0\n\
-        v 1 0 0 0.5 0.5 0.5\nv 0 1 0 1.0 0.1 0.2 0.3\nvt 0 nan\nvn 0 0 one\nvp 1\ng a b \\\nc\ns off\nusemtl m\xFF#1\nl 1 2\np 1\n\
+    let text = b"\xEF\xBB\xBF# caf\xE9 \xFF\xFE not UTF-8, and a path C:\\models\\\nmtllib a b.mtl\no thing\n\n\
+        v 0 0 0 1.0\n\
+        v 1 0 0 0.5 0.5 0.5\nv 0 1 0 1.0 0.1 0.2 0.3\nvt 0 nan\nvn 0 0 one\nvp 1\ng a b \\\nc\ns off\nusemtl m\xFF#1\n\
+        l 1 2\np 1\n\
         \t f\t1 2   3 # face\n";
     let read = mesh(text);
     assert_eq!(read.vertices(), [DVec3::ZERO, DVec3::X, DVec3::Y]);

@@ -1,5 +1,5 @@
-//! Inside, on the surface or outside: exact where arithmetic is, also for rays through edges and vertices, for voids and
-//! for parts that overlap.
+//! Inside, on the surface or outside: exact where arithmetic is, also for rays through edges and vertices, for voids
+//! and for parts that overlap.
 
 use crate::convex_hull::scattered;
 use crate::shapes::{L_SHAPE, icosphere, joined, solid, torus};
@@ -12,8 +12,8 @@ fn solid_of(mesh: TriangleMesh) -> SolidMesh {
     SolidMesh::new(mesh).unwrap()
 }
 
-/// The L is [0, 2] x [0, 1] and [0, 1] x [1, 3], one metre high. On a grid of half metres every ray along z runs through
-/// edges, vertices or diagonals, and the answer is known.
+/// The L is [0, 2] x [0, 1] and [0, 1] x [1, 3], one metre high. On a grid of half metres every ray along z runs
+/// through edges, vertices or diagonals, and the answer is known.
 #[test]
 fn l_shape_on_a_grid() {
     let locator = PointLocator::new(&solid(L_SHAPE));
@@ -64,7 +64,8 @@ fn voids_and_overlaps() {
     }
 }
 
-/// On the surface the generalised winding number is a half; without one triangle of a ball it still tells the sides apart.
+/// On the surface the generalised winding number is a half; without one triangle of a ball it still tells the sides
+/// apart.
 #[test]
 fn generalised_winding_number() {
     let ball = icosphere(2);

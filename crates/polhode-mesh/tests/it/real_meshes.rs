@@ -116,8 +116,8 @@ fn open_files() {
     }
 }
 
-/// What repair makes of them: the closed ones stay as they are, bit by bit; of the others it is printed what was done and
-/// what is left.
+/// What repair makes of them: the closed ones stay as they are, bit by bit; of the others it is printed what was done
+/// and what is left.
 #[test]
 fn repair_of_real_files() {
     for name in ["spot", "cow", "fandisk", "suzanne", "teapot", "stanford-bunny"] {
@@ -132,8 +132,8 @@ fn repair_of_real_files() {
             if report.before.is_solid() {
                 assert_eq!(mended, mesh);
             }
-            // The holes of the scan are small; a pot is open at its lid and spout, which only a larger size fills; an edge
-            // of more than two triangles in the monkey's head cannot be mended and is left, its holes are filled.
+            // The holes of the scan are small; a pot is open at its lid and spout, which only a larger size fills; an
+            // edge of more than two triangles in the monkey's head cannot be mended and is left, its holes are filled.
             let is_left = matches!((name, largest_hole), ("suzanne", _) | ("teapot", 0.25));
             assert_eq!(report.after.is_solid(), !is_left, "{name}");
             if name == "suzanne" {

@@ -225,8 +225,8 @@ fn duplicates_and_degenerate_triangles() {
     assert_eq!(steps(&report), [(Repair::DropDuplicates, 2), (Repair::DropDegenerate, 1)]);
     assert_eq!(whole, cube());
 
-    // The middle m of the edge 0-6 of triangles (0, 4, 6) and (0, 6, 2): the second keeps its edge and a triangle without
-    // area fills the gap.
+    // The middle m of the edge 0-6 of triangles (0, 4, 6) and (0, 6, 2): the second keeps its edge and a triangle
+    // without area fills the gap.
     let mut vertices = cube().vertices().to_vec();
     vertices.push(0.5 * (vertices[0] + vertices[6]));
     let mut triangles = cube().triangles().to_vec();
@@ -273,7 +273,8 @@ proptest! {
         prop_assert!((SolidMesh::new(whole).unwrap().volume_integrals().volume / volume - 1.0).abs() < 0.05);
     }
 
-    /// Whatever triangles are drawn among a few vertices, repair answers, and never leaves more faulty edges than it found.
+    /// Whatever triangles are drawn among a few vertices, repair answers, and never leaves more faulty edges than it
+    /// found.
     #[test]
     fn any_mesh_is_answered(
         points in prop::collection::vec((-2i8..3, -2i8..3, -2i8..3), 4..9),

@@ -13,6 +13,13 @@
 //! does not succeed, a cold start; where rows depend on each other nearly, or squeeze bodies, the same active set in
 //! twice the precision, which tells directions apart down to 1e-14 and certifies that there are no forces; at last an
 //! interior point in lifted form polished by the active set.
+//!
+//! | module | holds |
+//! |---|---|
+//! | `active_set` | the active set |
+//! | `rank` | whether a row depends on the rows that carry force |
+//! | `solver` | the solver with its fallbacks and its certificate |
+//! | `with_forest` | problems of bodies in trees of joints |
 
 pub(crate) mod active_set;
 pub(crate) mod rank;

@@ -32,8 +32,8 @@ const SQUEEZE_ROUNDING: f64 = 1e-12;
 /// Rounding of constant terms relative to the largest of them (no unit): that of some dozen terms.
 const CONSTANT_ROUNDING: f64 = 64.0 * f64::EPSILON;
 
-/// An answer that holds only to the rounding of the constant terms is refused when the terms that cancel in its rows exceed
-/// the largest constant by this factor (no unit): their own rounding then decides it.
+/// An answer that holds only to the rounding of the constant terms is refused when the terms that cancel in its rows
+/// exceed the largest constant by this factor (no unit): their own rounding then decides it.
 const SOUND_AMPLIFICATION: f64 = 1e3;
 
 /// An answer in working precision with a larger residual, though accepted, is found again in twice the precision (no
@@ -231,8 +231,8 @@ impl ComplementaritySolver {
         is_tried
     }
 
-    /// Solves; where that does not succeed, once more with the rounding of the constant terms as noise: each of them is a
-    /// sum of terms as large as the largest of all, and rows whose own terms vanish must not pass for bodies that are
+    /// Solves; where that does not succeed, once more with the rounding of the constant terms as noise: each of them is
+    /// a sum of terms as large as the largest of all, and rows whose own terms vanish must not pass for bodies that are
     /// squeezed by a rounding.
     fn search(&mut self, data: Data<'_>, warm_start: Option<&WarmStart>) {
         self.tried = MethodSet::default();
@@ -501,7 +501,8 @@ impl ComplementaritySolver {
         let residual = precise::residual(data.problem, &data.all_rows(), data.b, &best.forces, &best.rows);
         let (squeeze_rounding, bilateral) = (SQUEEZE_ROUNDING, data.bilateral);
         let rank = Rank::Pivot(0.0);
-        // The factor in twice the precision is of this problem only when the answer is; that in working precision always is.
+        // The factor in twice the precision is of this problem only when the answer is; that in working precision
+        // always is.
         let absorbed = if best.report.method == Method::PreciseActiveSet {
             let (matrix, constant) = (&precise.matrix[..], &precise.constant[..]);
             let problem = Problem { matrix, constant, bilateral, rank, squeeze_rounding, settings };

@@ -1,8 +1,8 @@
-//! Complementarity problems of bodies in trees of joints: the joints are eliminated first, what is left is a problem of contacts,
-//! limits and loops.
+//! Complementarity problems of bodies in trees of joints: the joints are eliminated first, what is left is a problem of
+//! contacts, limits and loops.
 //!
-//! The answer is one for all rows, with the certificate of the problem that is left; its residual is the larger one of that and of
-//! the rows of the trees. Where nothing is left it is that of the trees alone.
+//! The answer is one for all rows, with the certificate of the problem that is left; its residual is the larger one of
+//! that and of the rows of the trees. Where nothing is left it is that of the trees alone.
 
 use super::{ComplementaritySolver, ContactSolution, WarmStart};
 use crate::certificate::nan_max;

@@ -9,8 +9,9 @@ pub(crate) enum Defect {
     Indefinite { row: usize, part: f64 },
 }
 
-/// What keeps a row-major matrix of finite entries from being symmetric and positive semidefinite to `rounding` (no unit). The
-/// elimination takes the largest diagonal entry first, which rows that depend on each other need, and those of contacts do.
+/// What keeps a row-major matrix of finite entries from being symmetric and positive semidefinite to `rounding` (no
+/// unit). The elimination takes the largest diagonal entry first, which rows that depend on each other need, and those
+/// of contacts do.
 pub(crate) fn find_defect(entries: &[f64], size: usize, rounding: f64) -> Option<Defect> {
     let unit = |row: usize| match entries[row * size + row] {
         entry if entry > 0.0 => entry.sqrt(),

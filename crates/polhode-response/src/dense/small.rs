@@ -1,7 +1,7 @@
 //! Elimination for a handful of unknowns, in place.
 
-/// `A^-1 b` in place of `b`, for a row-major `A`, which is destroyed: Gauss elimination with the largest pivot of each column.
-/// Pivots below `cut` times the largest entry depend on the others: their unknowns are zero.
+/// `A^-1 b` in place of `b`, for a row-major `A`, which is destroyed: Gauss elimination with the largest pivot of each
+/// column. Pivots below `cut` times the largest entry depend on the others: their unknowns are zero.
 pub(crate) fn solve_small(a: &mut [f64], b: &mut [f64], cut: f64) {
     match b.len() {
         // Two bodies have six ways to move: loops of known length are unrolled.

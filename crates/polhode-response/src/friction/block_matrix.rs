@@ -1,15 +1,16 @@
-//! A square matrix in blocks, of which only those that are not zero are kept: the Delassus operator of contacts that share
-//! bodies with a few others.
+//! A square matrix in blocks, of which only those that are not zero are kept: the Delassus operator of contacts that
+//! share bodies with a few others.
 //!
-//! Block rows are stored one after the other (compressed rows), each block row-major. The product with a vector costs as many
-//! operations as there are entries, and its order of summation is fixed.
+//! Block rows are stored one after the other (compressed rows), each block row-major. The product with a vector costs
+//! as many operations as there are entries, and its order of summation is fixed.
 
 use crate::dense::kernels::axpy;
 use crate::error::{ResponseError, check_finite, check_length};
 use crate::law::{CONTACT_ROWS, MOST_ROWS};
 
-/// Largest asymmetry `|G_ij - G_ji| / sqrt(G_ii G_jj)` of a matrix that counts as symmetric (no unit). Delassus matrices of other
-/// programs reach 0.005, from orientations that are not quite orthogonal; they are solved as they are.
+/// Largest asymmetry `|G_ij - G_ji| / sqrt(G_ii G_jj)` of a matrix that counts as symmetric (no unit). Delassus
+/// matrices of other programs reach 0.005, from orientations that are not quite orthogonal; they are solved as they
+/// are.
 const LARGEST_ASYMMETRY: f64 = 0.01;
 
 /// A block-sparse square matrix.
@@ -38,12 +39,12 @@ pub(crate) struct Block<'a> {
 }
 
 impl BlockMatrix {
-    /// A matrix of blocks `(block row, block column, entries row-major)` in any order; those that are not given are zero.
-    /// `sizes` are the rows of each block row. Blocks on the diagonal are added where they are missing.
+    /// A matrix of blocks `(block row, block column, entries row-major)` in any order; those that are not given are
+    /// zero. `sizes` are the rows of each block row. Blocks on the diagonal are added where they are missing.
     ///
     /// # Errors
-    /// When a size is not 1 to 3, a block is out of range, given twice, of the wrong length or not finite, a diagonal entry is
-    /// negative, or the matrix is not symmetric to one part in a hundred.
+    /// When a size is not 1 to 3, a block is out of range, given twice, of the wrong length or not finite, a diagonal
+    /// entry is negative, or the matrix is not symmetric to one part in a hundred.
     pub fn from_blocks(sizes: &[usize], mut blocks: Vec<(usize, usize, Vec<f64>)>) -> Result<Self, ResponseError> {
         let (mut matrix, _) = Self::without_blocks(sizes)?;
         for (row, column, values) in &blocks {
@@ -97,8 +98,8 @@ impl BlockMatrix {
         Self::from_entries(sizes, |row, column| entries[row * rows + column])
     }
 
-    /// The blocks of a matrix whose entries (row, column) are given by a function; blocks of zeros are left out, if their
-    /// mirror image is zero, too.
+    /// The blocks of a matrix whose entries (row, column) are given by a function; blocks of zeros are left out, if
+    /// their mirror image is zero, too.
     ///
     /// # Errors
     /// Those of [`from_blocks`](Self::from_blocks).

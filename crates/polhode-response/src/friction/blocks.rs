@@ -1,11 +1,11 @@
 //! Blocks of rows: for which rows of a problem each law is stated.
 //!
-//! The rows of a block need not follow each other: a problem may hold all normal rows first, and those along tangents after
-//! them. Rows may be scaled within their blocks, so that an ellipse of friction along and across a grain becomes a circle; what
-//! comes out is scaled back, and in the order of the rows of the problem.
+//! The rows of a block need not follow each other: a problem may hold all normal rows first, and those along tangents
+//! after them. Rows may be scaled within their blocks, so that an ellipse of friction along and across a grain becomes
+//! a circle; what comes out is scaled back, and in the order of the rows of the problem.
 //!
-//! Assumption: no row is in two blocks. Failure: a block with another number of rows than its law has is refused where the
-//! problem is made.
+//! Assumption: no row is in two blocks. Failure: a block with another number of rows than its law has is refused where
+//! the problem is made.
 
 use crate::delassus::Delassus;
 use crate::error::ResponseError;
@@ -81,7 +81,8 @@ impl Blocks {
         }
     }
 
-    /// Adds a block whose reactions are multiplied by these numbers (no unit, above 0); rows beyond them are not scaled.
+    /// Adds a block whose reactions are multiplied by these numbers (no unit, above 0); rows beyond them are not
+    /// scaled.
     pub fn push_scaled(
         &mut self,
         law: Law,
@@ -93,8 +94,8 @@ impl Blocks {
         self.push(law, rows);
     }
 
-    /// The contact of the last block resists a rotation as well, along these rows of the problem. Rows that are held have
-    /// no normal reaction that could resist: they stay as they are.
+    /// The contact of the last block resists a rotation as well, along these rows of the problem. Rows that are held
+    /// have no normal reaction that could resist: they stay as they are.
     pub fn resist(&mut self, part: ResistedPart, resistance: Resistance, rows: impl IntoIterator<Item = usize>) {
         let Some(law) = self.laws.last_mut() else { return };
         if !law.pushes() {

@@ -1,5 +1,5 @@
-//! Blocks of contacts of bodies in trees of joints: those of the rows that are left when the trees have been eliminated, and the
-//! answer for all rows from theirs.
+//! Blocks of contacts of bodies in trees of joints: those of the rows that are left when the trees have been
+//! eliminated, and the answer for all rows from theirs.
 //!
 //! Held blocks lose the rows of the trees. Assumption: rows of trees are in held blocks, and are not scaled.
 
@@ -37,7 +37,8 @@ impl Blocks {
         beside
     }
 
-    /// The answer for all rows from that for the blocks [`beside`](Self::beside) the trees; `constants` are of all rows.
+    /// The answer for all rows from that for the blocks [`beside`](Self::beside) the trees; `constants` are of all
+    /// rows.
     ///
     /// # Errors
     /// Those of [`HeldForest::with_others`].

@@ -1,10 +1,10 @@
 //! The convex relative of a problem with friction, in lifted form, and the proof that a problem has no solution.
 //!
-//! With `G = B B^T` and the correction `s_i = mu |u_t|` held fixed, `min 1/2 |y|^2` subject to `B y + q + s n` in `K*` is convex; its
-//! multipliers are the reactions. Repeated with `s` of the last answer it leads towards Coulomb's law (Cadoux; Acary, Cadoux,
-//! Lemarechal and Malick 2011), slowly: Newton's method ends what it began. Without the tangents it is the question whether
-//! any reactions keep all normal velocities from being negative. If there are none, the multipliers `z >= 0` move nothing and
-//! have `q.z < 0`: the problem has no solution.
+//! With `G = B B^T` and the correction `s_i = mu |u_t|` held fixed, `min 1/2 |y|^2` subject to `B y + q + s n` in `K*`
+//! is convex; its multipliers are the reactions. Repeated with `s` of the last answer it leads towards Coulomb's law
+//! (Cadoux; Acary, Cadoux, Lemarechal and Malick 2011), slowly: Newton's method ends what it began. Without the
+//! tangents it is the question whether any reactions keep all normal velocities from being negative. If there are none,
+//! the multipliers `z >= 0` move nothing and have `q.z < 0`: the problem has no solution.
 //!
 //! `B` is a Cholesky factor with pivoting, dense: a fallback for problems of some hundred contacts.
 
@@ -19,8 +19,8 @@ const PIVOT_ROUNDING: f64 = 1e-14;
 /// Rows up to which the dense factor is formed.
 const MOST_ROWS: usize = 1500;
 
-/// What reactions that prove a problem to have no solution may move, relative to what the largest of them would move alone (no
-/// unit): the tolerance of the interior point with a margin.
+/// What reactions that prove a problem to have no solution may move, relative to what the largest of them would move
+/// alone (no unit): the tolerance of the interior point with a margin.
 const STILL: f64 = 1e-9;
 
 /// The factor `B` of a problem, row by row, each row scaled by `1 / sqrt(g)` of its contact.

@@ -1,9 +1,9 @@
 //! Coulomb's cone and the law of one contact: projection, the correction of De Saxce, and the natural map.
 //!
-//! `K = { r : |r_t| <= mu r_n }` holds the reactions, `K* = { u : u_n >= mu |u_t| }` is its dual. With the corrected velocity
-//! `u' = u + mu |u_t| n` the whole of Coulomb's law, with Signorini's condition, reads `K* contains u' _|_ r in K`: open
-//! (`r = 0`), stick (`u = 0`), slide (`u_n = 0`, `r_t = -mu r_n u_t / |u_t|`). It holds if and only if the natural map
-//! `r - P_K(r - rho u')` is zero, for any one `rho > 0`.
+//! `K = { r : |r_t| <= mu r_n }` holds the reactions, `K* = { u : u_n >= mu |u_t| }` is its dual. With the corrected
+//! velocity `u' = u + mu |u_t| n` the whole of Coulomb's law, with Signorini's condition, reads
+//! `K* contains u' _|_ r in K`: open (`r = 0`), stick (`u = 0`), slide (`u_n = 0`, `r_t = -mu r_n u_t / |u_t|`). It
+//! holds if and only if the natural map `r - P_K(r - rho u')` is zero, for any one `rho > 0`.
 //!
 //! Sources: De Saxce and Feng 1998 (the correction), Acary, Bremond and Huber 2018 (the natural map for this problem).
 //! Symbols: `r` reaction (N, or N s), `u` velocity (m/s^2, or m/s), `mu` coefficient of friction, `rho` (kg).
@@ -78,10 +78,10 @@ pub(crate) fn put_parts_into_discs(block: Law, r: &mut [f64]) {
     }
 }
 
-/// Length of the natural map of one block, in units of velocity: `|r - P_K(r - rho u')| / rho`, and `|u|` for rows that are held.
-/// For a contact that slides already it is that of its normal, with `r_t + mu r_n` as the tangential part; rotations that are
-/// resisted add `|r_i - P(r_i - rho u_i)| / rho`, with `P` the projection onto the disc `|r_i| <= mu_i r_n`. `inverse_mass` is
-/// `1 / rho`; `r` and `u` are all rows of the block.
+/// Length of the natural map of one block, in units of velocity: `|r - P_K(r - rho u')| / rho`, and `|u|` for rows that
+/// are held. For a contact that slides already it is that of its normal, with `r_t + mu r_n` as the tangential part;
+/// rotations that are resisted add `|r_i - P(r_i - rho u_i)| / rho`, with `P` the projection onto the disc
+/// `|r_i| <= mu_i r_n`. `inverse_mass` is `1 / rho`; `r` and `u` are all rows of the block.
 pub(crate) fn natural_map(block: Law, inverse_mass: f64, r: &[f64], u: &[f64]) -> f64 {
     match block {
         Law::Push => map_of_slip(0.0, inverse_mass, rows_of(r), rows_of(u)),
@@ -135,8 +135,8 @@ fn square_of_turn(rows: &Range<usize>, resists: Resistance, inverse_mass: f64, (
 mod tests {
     use super::project;
 
-    /// The cone without friction is a ray: what pulls is projected onto zero. It was left as it is, so that a contact without
-    /// friction that parts was never solved.
+    /// The cone without friction is a ray: what pulls is projected onto zero. It was left as it is, so that a contact
+    /// without friction that parts was never solved.
     #[test]
     fn what_pulls_on_a_contact_without_friction_is_projected_onto_zero() {
         assert_eq!(project(0.0, [-3.0, 0.0, 0.0]), [0.0; 3]);

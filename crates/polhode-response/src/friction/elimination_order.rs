@@ -1,12 +1,13 @@
 //! The order in which unknowns are eliminated so that few new couplings arise: minimum degree.
 //!
-//! Contacts with the same neighbours (all those between the same two bodies) are one node from the start. Of the remaining nodes
-//! the one with the fewest unknowns beside it comes next, the first of equal ones; its neighbours become neighbours of each
-//! other. In chains and piles cost grows about linearly with the contacts. Source: George and Liu 1989.
+//! Contacts with the same neighbours (all those between the same two bodies) are one node from the start. Of the
+//! remaining nodes the one with the fewest unknowns beside it comes next, the first of equal ones; its neighbours
+//! become neighbours of each other. In chains and piles cost grows about linearly with the contacts. Source: George and
+//! Liu 1989.
 //!
-//! Then children are put right before their parents in the elimination tree, which changes no fill, and nodes that follow each
-//! other with nearly the same couplings are joined into fronts: their rows are eliminated in one dense matrix. Source: Liu 1990
-//! (elimination tree), Ashcraft and Grimes 1989 (supernodes).
+//! Then children are put right before their parents in the elimination tree, which changes no fill, and nodes that
+//! follow each other with nearly the same couplings are joined into fronts: their rows are eliminated in one dense
+//! matrix. Source: Liu 1990 (elimination tree), Ashcraft and Grimes 1989 (supernodes).
 
 use crate::friction::block_matrix::BlockMatrix;
 use std::collections::{BTreeMap, BTreeSet};
@@ -84,8 +85,8 @@ fn ascending(nodes: impl Iterator<Item = usize>) -> Vec<usize> {
     nodes
 }
 
-/// The nodes with those of each branch of the elimination tree one after the other, and the parent right after its child with
-/// the most couplings. `later` are the couplings of each with later ones; its parent is the first of them.
+/// The nodes with those of each branch of the elimination tree one after the other, and the parent right after its
+/// child with the most couplings. `later` are the couplings of each with later ones; its parent is the first of them.
 fn children_before_parents(later: &[Vec<usize>]) -> Vec<usize> {
     let mut children: Vec<Vec<usize>> = vec![Vec::new(); later.len()];
     let mut waiting = Vec::new();
@@ -144,7 +145,8 @@ fn groups(matrix: &BlockMatrix) -> Vec<Vec<usize>> {
     groups
 }
 
-/// Nodes by minimum degree, and the neighbours that each has left in its turn; `beside` are those of each at first, ascending.
+/// Nodes by minimum degree, and the neighbours that each has left in its turn; `beside` are those of each at first,
+/// ascending.
 pub(crate) fn minimum_degree(mut beside: Vec<Vec<usize>>, weights: &[usize]) -> (Vec<usize>, Vec<Vec<usize>>) {
     let degree = |neighbours: &[usize]| neighbours.iter().map(|&other| weights[other]).sum::<usize>();
     let mut degrees: Vec<usize> = beside.iter().map(|neighbours| degree(neighbours)).collect();

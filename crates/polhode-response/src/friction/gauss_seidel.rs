@@ -1,9 +1,9 @@
 //! Block Gauss-Seidel: contact after contact is solved exactly while the others keep their reactions.
 //!
-//! Robust and cheap for a first guess; its error falls slowly where many contacts share few bodies, and hardly at all at large
-//! mass ratios. Sources: Jourdan, Alart and Jean 1998; Acary and Brogliato 2008, section 13.7 (NSGS). The order is that of the
-//! blocks, so that the bits are those of the problem. Of a contact that resists rotations slip, rolling and spinning are solved
-//! in turns, which is a guess: what holds a rotation is cut down to its limit.
+//! Robust and cheap for a first guess; its error falls slowly where many contacts share few bodies, and hardly at all
+//! at large mass ratios. Sources: Jourdan, Alart and Jean 1998; Acary and Brogliato 2008, section 13.7 (NSGS). The
+//! order is that of the blocks, so that the bits are those of the problem. Of a contact that resists rotations slip,
+//! rolling and spinning are solved in turns, which is a guess: what holds a rotation is cut down to its limit.
 
 use crate::friction::coulomb_cone::{BlockRows, filled_up, put_parts_into_discs, rows_of};
 use crate::friction::problem::FrictionProblem;
@@ -59,8 +59,8 @@ impl GaussSeidel {
     }
 }
 
-/// Solves the parts of a contact in turns: slip with the normal, rolling, spinning. `a` is its block of `G`, row-major, `u` its
-/// velocities with the reactions `r`.
+/// Solves the parts of a contact in turns: slip with the normal, rolling, spinning. `a` is its block of `G`, row-major,
+/// `u` its velocities with the reactions `r`.
 fn solve_parts(block: Law, a: &[f64], u: &[f64], r: &mut [f64]) {
     let size = r.len();
     let old: BlockRows = filled_up(r);
@@ -115,7 +115,8 @@ impl Part {
     }
 }
 
-/// Reactions after some sweeps of block Gauss-Seidel from zero, to compare other methods with. It stops at nothing earlier.
+/// Reactions after some sweeps of block Gauss-Seidel from zero, to compare other methods with. It stops at nothing
+/// earlier.
 pub fn gauss_seidel(problem: &FrictionProblem, sweeps: usize) -> Vec<f64> {
     let method = GaussSeidel::new(problem);
     let mut reactions = vec![0.0; problem.rows()];

@@ -1,24 +1,26 @@
 //! Limit analysis: how far a structure of bodies in contact is from moving.
 //!
-//! A structure can stand as long as forces within the cones of friction balance its loads (the lower bound theorem). With
-//! `a_0` the accelerations of the bodies without contact forces, `J` the rows of contacts, and `m` a part of all coefficients:
+//! A structure can stand as long as forces within the cones of friction balance its loads (the lower bound theorem).
+//! With `a_0` the accelerations of the bodies without contact forces, `J` the rows of contacts, and `m` a part of all
+//! coefficients:
 //!
 //! ```text
 //! M^-1 J^T f + a_0 + l a_1 = 0,     |f_t| <= m mu f_n   at every contact
 //! ```
 //!
-//! - **Loads.** For `m = 1` the largest `l` for which there are such forces is one convex programme over second-order cones. Its
-//!   multipliers are the velocities of the bodies in the motion that then begins (the mechanism).
-//! - **Friction.** For `l = 0` the least `m` is sought: the value of the programme that minimises the part `t` of its scale by
-//!   which every contact misses its cone, `|f_t| <= m mu f_n + t`, falls with `m`, and its slope is known from the multipliers;
-//!   Newton's method for its zero, kept between what misses and what does not, takes a few programmes. `1 - m` is the reserve
-//!   of friction, and the forces found have all of it.
+//! - **Loads.** For `m = 1` the largest `l` for which there are such forces is one convex programme over second-order
+//!   cones. Its multipliers are the velocities of the bodies in the motion that then begins (the mechanism).
+//! - **Friction.** For `l = 0` the least `m` is sought: the value of the programme that minimises the part `t` of its
+//!   scale by which every contact misses its cone, `|f_t| <= m mu f_n + t`, falls with `m`, and its slope is known from
+//!   the multipliers; Newton's method for its zero, kept between what misses and what does not, takes a few programmes.
+//!   `1 - m` is the reserve of friction, and the forces found have all of it.
 //!
-//! Symbols: `f` (N), `J` (no unit), `M` (kg), `a` (m/s^2), `l`, `m`, `mu`, `t` (no unit). Sources: Heyman 1966; Livesley 1978
-//! (limit analysis as a programme); Whiting 2009 (how far a structure is from standing). Assumption: forces in the cones are
-//! enough. With friction a structure that can stand may still move when something starts it, so that `l` is an upper bound of what
-//! it bears when it is disturbed (Livesley 1978). Rolling and spinning friction are left out, contacts that slide too.
-//! Failure: none where no forces balance the loads, or the interior point finds none.
+//! Symbols: `f` (N), `J` (no unit), `M` (kg), `a` (m/s^2), `l`, `m`, `mu`, `t` (no unit). Sources: Heyman 1966;
+//! Livesley 1978 (limit analysis as a programme); Whiting 2009 (how far a structure is from standing). Assumption:
+//! forces in the cones are enough. With friction a structure that can stand may still move when something starts it, so
+//! that `l` is an upper bound of what it bears when it is disturbed (Livesley 1978). Rolling and spinning friction are
+//! left out, contacts that slide too. Failure: none where no forces balance the loads, or the interior point finds
+//! none.
 
 #[cfg(feature = "census")]
 use crate::census::{self, Chain, Size};
@@ -31,27 +33,27 @@ use crate::problem::ContactProblem;
 #[cfg(feature = "census")]
 use crate::report::SolverStatus;
 
-/// Contacts that bear less than this part of the forces on the lighter loaded of their bodies bear nothing (no unit, 1e-9 to
-/// 1e-6): the tolerance of the interior point.
+/// Contacts that bear less than this part of the forces on the lighter loaded of their bodies bear nothing (no unit,
+/// 1e-9 to 1e-6): the tolerance of the interior point.
 const UNLOADED: f64 = 1e-8;
 
-/// The largest load that is looked for, and the largest part of the coefficients of friction, as a multiple (no unit, 1e2 to
-/// 1e6): a structure that bears more is wedged, one that needs more cannot stand.
+/// The largest load that is looked for, and the largest part of the coefficients of friction, as a multiple (no unit,
+/// 1e2 to 1e6): a structure that bears more is wedged, one that needs more cannot stand.
 pub const MOST_FACTOR: f64 = 1e3;
 
-/// How much of its scale a contact may miss its cone by and counts as within it (no unit, 1e-10 to 1e-8): the tolerance of the
-/// interior point.
+/// How much of its scale a contact may miss its cone by and counts as within it (no unit, 1e-10 to 1e-8): the tolerance
+/// of the interior point.
 const MISSED_CONE: f64 = 1e-9;
 
-/// Two parts of friction this close to each other are one (no unit, 1e-7 to 1e-5), relative: what is missed in between is then
-/// well above the tolerance of the interior point.
+/// Two parts of friction this close to each other are one (no unit, 1e-7 to 1e-5), relative: what is missed in between
+/// is then well above the tolerance of the interior point.
 const SAME_PART: f64 = 1e-6;
 
 /// Programmes for one part of friction (10 to 60).
 const MOST_PROGRAMMES: usize = 60;
 
-/// Least size of the forces on a body, as a part of the largest on any (no unit): bodies on which no force acts must not divide
-/// by zero.
+/// Least size of the forces on a body, as a part of the largest on any (no unit): bodies on which no force acts must
+/// not divide by zero.
 const LEAST_SIZE: f64 = 1e-12;
 
 /// How far a structure is from moving.
@@ -59,10 +61,11 @@ const LEAST_SIZE: f64 = 1e-12;
 pub struct Limit {
     /// The load that it bears, or the part of friction that it needs (no unit).
     pub factor: f64,
-    /// Generalised velocities of the bodies in the motion that begins there, in blocks of the problem's width, up to a common
-    /// factor: that of the greatest is 1 m/s or 1 rad/s. Zero where nothing begins to move.
+    /// Generalised velocities of the bodies in the motion that begins there, in blocks of the problem's width, up to a
+    /// common factor: that of the greatest is 1 m/s or 1 rad/s. Zero where nothing begins to move.
     pub mechanism: Vec<f64>,
-    /// Forces of all rows that balance there, N, to the tolerance of the interior point. Contacts that bear nothing have zero.
+    /// Forces of all rows that balance there, N, to the tolerance of the interior point. Contacts that bear nothing
+    /// have zero.
     pub forces: Vec<f64>,
 }
 
@@ -78,8 +81,8 @@ pub struct Structure<'a> {
 }
 
 impl<'a> Structure<'a> {
-    /// Bodies whose accelerations without contact forces are `free` (m/s^2 and rad/s^2, in blocks of the problem's width).
-    /// `near` (N, of all rows) are forces of the size of those sought: they need not balance anything.
+    /// Bodies whose accelerations without contact forces are `free` (m/s^2 and rad/s^2, in blocks of the problem's
+    /// width). `near` (N, of all rows) are forces of the size of those sought: they need not balance anything.
     ///
     /// # Errors
     /// When a length differs, a row does not exist, or a number is not finite.
@@ -100,8 +103,8 @@ impl<'a> Structure<'a> {
         Ok(Self { problem, blocks, free, units })
     }
 
-    /// The largest part of the loads `live` (accelerations that they would give, as `free`) that it bears beside its own, up to
-    /// [`MOST_FACTOR`]; none where it does not bear its own.
+    /// The largest part of the loads `live` (accelerations that they would give, as `free`) that it bears beside its
+    /// own, up to [`MOST_FACTOR`]; none where it does not bear its own.
     ///
     /// ```
     /// use polhode_response::friction::Structure;
@@ -245,7 +248,8 @@ impl<'a> Structure<'a> {
         Limit { factor, mechanism: self.mechanism(solved), forces }
     }
 
-    /// The multipliers of the balance as velocities of the bodies: balance is stated in accelerations, `M^-1` times forces.
+    /// The multipliers of the balance as velocities of the bodies: balance is stated in accelerations, `M^-1` times
+    /// forces.
     fn mechanism(&self, solved: &Solved) -> Vec<f64> {
         let width = self.problem.width();
         let mut velocities = Vec::with_capacity(solved.balance.len());
@@ -305,7 +309,8 @@ impl Search {
         // Where the method has come to its end from below a little more shows that it is the end.
         let further = newton.max(below * (1.0 + 0.5 * SAME_PART));
         let Some((above, _)) = &self.above else {
-            // Written so that NaN does not count as inside. Friction that does not help yet may do so later, all at once.
+            // Written so that NaN does not count as inside. Friction that does not help yet may do so later, all at
+            // once.
             let is_inside = further > *below && further <= MOST_FACTOR;
             return Some(if is_inside { further } else { (2.0 * below).max(1.0) });
         };
@@ -352,8 +357,8 @@ impl Programme {
         self.cones.push(cone);
     }
 
-    /// Asks a block, whose columns begin at `first`, to keep to its cone, or to miss it by the variable `missed` at the most.
-    /// Whether it can: what slides has none.
+    /// Asks a block, whose columns begin at `first`, to keep to its cone, or to miss it by the variable `missed` at the
+    /// most. Whether it can: what slides has none.
     fn push_cone(&mut self, law: Law, first: usize, part: f64, missed: Option<usize>) -> bool {
         match law {
             Law::Hold { .. } => {}
@@ -393,8 +398,8 @@ impl Programme {
     }
 }
 
-/// For each row of the blocks the sum of the forces on the lighter loaded of its bodies, N; where `near` has none the force that
-/// gives one of them the largest acceleration of any.
+/// For each row of the blocks the sum of the forces on the lighter loaded of its bodies, N; where `near` has none the
+/// force that gives one of them the largest acceleration of any.
 fn units_of_forces(problem: &ContactProblem, blocks: &Blocks, free: &[f64], near: &[f64]) -> Vec<f64> {
     let mut loads = vec![0.0; problem.bodies()];
     for (row, force) in near.iter().enumerate() {
@@ -415,7 +420,8 @@ fn units_of_forces(problem: &ContactProblem, blocks: &Blocks, free: &[f64], near
     blocks.rows().iter().map(unit).collect()
 }
 
-/// Takes what bears nothing to the tolerance of the interior point out of forces in their units, in the order of the blocks.
+/// Takes what bears nothing to the tolerance of the interior point out of forces in their units, in the order of the
+/// blocks.
 fn unload(parts: &mut [f64], blocks: &Blocks) {
     let mut first = 0;
     for law in blocks.laws() {
@@ -429,7 +435,8 @@ fn unload(parts: &mut [f64], blocks: &Blocks) {
 
 #[cfg(test)]
 mod tests {
-    //! Closed forms: a body on a slope, one that slides or tips under a push, a wedge; and the motion in which each begins.
+    //! Closed forms: a body on a slope, one that slides or tips under a push, a wedge; and the motion in which each
+    //! begins.
     #![expect(clippy::unwrap_used, reason = "a failed step fails the test")]
     use super::*;
 
@@ -467,7 +474,8 @@ mod tests {
         }
     }
 
-    /// A low box slides when the push is the friction, a slender one tips over its edge when it is its width over its height.
+    /// A low box slides when the push is the friction, a slender one tips over its edge when it is its width over its
+    /// height.
     #[test]
     fn a_box_slides_or_tips() {
         for (width, height, friction, expected) in [(2.0, 1.0, 0.5, 0.5), (1.0, 4.0, 0.5, 0.25)] {
@@ -475,7 +483,8 @@ mod tests {
             assert!((limit.factor - expected).abs() < EXACT, "{}", limit.factor);
             let [x, z, turn] = limit.mechanism[..] else { panic!("three coordinates") };
             assert!(x > 0.0, "{x}");
-            // About the edge at (w/2, 0): x = turn h/2 to the right (turn against the positive sense here), z = turn w/2.
+            // About the edge at (w/2, 0): x = turn h/2 to the right (turn against the positive sense here), z = turn
+            // w/2.
             if expected < friction {
                 assert!((x / turn.abs() - 0.5 * height).abs() < 1e-6 && (z / turn.abs() - 0.5 * width).abs() < 1e-6);
             } else {
@@ -484,8 +493,8 @@ mod tests {
         }
     }
 
-    /// On a slope of tangent 0.3 friction of 0.5 may fall to 0.6 of itself; friction of 0.2 would have to be half as large again;
-    /// on the level none is needed, and where the box tips none is enough.
+    /// On a slope of tangent 0.3 friction of 0.5 may fall to 0.6 of itself; friction of 0.2 would have to be half as
+    /// large again; on the level none is needed, and where the box tips none is enough.
     #[test]
     fn friction_that_a_slope_needs() {
         let part = |box2: Box2, tangent: f64| box2.limits(tangent).1.map(|limit| limit.factor);
@@ -495,7 +504,8 @@ mod tests {
         assert_eq!(part(Box2::new(1.0, 4.0, 0.5), 0.3), None);
     }
 
-    /// A wedge of half angle `a` between two walls stands from friction `tan a` on, and no push along the floor moves it.
+    /// A wedge of half angle `a` between two walls stands from friction `tan a` on, and no push along the floor moves
+    /// it.
     #[test]
     fn a_wedge_needs_the_tangent_of_its_angle() {
         let (s, c) = (libm::sin(0.2), libm::cos(0.2));

@@ -264,7 +264,8 @@ impl ResistedPart {
     }
 }
 
-/// Adds an unknown along a direction of the rows, with the right side and the diagonal of its equation, and its `1 / rho`.
+/// Adds an unknown along a direction of the rows, with the right side and the diagonal of its equation, and its
+/// `1 / rho`.
 fn push_unknown(law: &mut Linearised, along: BlockRows, [right, diagonal, inverse_mass]: [f64; 3]) {
     let k = law.unknowns;
     law.columns[k] = along;

@@ -1,8 +1,9 @@
 //! Contacts with friction: exact Coulomb, in cones and never in pyramids.
 //!
-//! The problem is `u = G r + q` with Coulomb's and Signorini's law for each contact, `K* contains u + mu |u_t| n _|_ r in K`
-//! (De Saxce). It serves velocities with impulses and accelerations with forces alike. These are plain functions for anyone who
-//! has a Delassus matrix: [`FrictionProblem::from_dense`], [`solve_friction`].
+//! The problem is `u = G r + q` with Coulomb's and Signorini's law for each contact,
+//! `K* contains u + mu |u_t| n _|_ r in K` (De Saxce). It serves velocities with impulses and accelerations with forces
+//! alike. These are plain functions for anyone who has a Delassus matrix: [`FrictionProblem::from_dense`],
+//! [`solve_friction`].
 //!
 //! | file | holds |
 //! |---|---|
@@ -20,6 +21,8 @@
 //! | `limit_analysis` | [`Structure`]: how far what stands is from moving |
 //! | `solver` | [`solve_friction`]: the chain of methods |
 //! | `settings`, `solution` | [`FrictionSettings`], [`Redundancy`], [`FrictionSolution`] |
+//! | `blocks_beside` | blocks of contacts of bodies in trees of joints |
+//! | `rows_behind` | the rows of bodies behind the matrix of a problem |
 
 pub(crate) mod block_matrix;
 mod blocks;

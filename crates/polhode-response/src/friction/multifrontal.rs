@@ -1,17 +1,17 @@
 //! Sparse elimination: `A x = b` for a matrix in blocks whose pattern is symmetric and whose values need not be.
 //!
 //! Fronts are eliminated in a given order; each gathers the rows and columns of its nodes, and what its children in the
-//! elimination tree have left of theirs, into one dense matrix, eliminates the unknowns of its nodes there (the largest pivot of
-//! the rows of a node first) and leaves the rest to its parent. All arithmetic is dense and in a fixed order. Sources: Duff and Reid 1983 (multifrontal method);
-//! Liu 1990 (elimination tree).
+//! elimination tree have left of theirs, into one dense matrix, eliminates the unknowns of its nodes there (the largest
+//! pivot of the rows of a node first) and leaves the rest to its parent. All arithmetic is dense and in a fixed order.
+//! Sources: Duff and Reid 1983 (multifrontal method); Liu 1990 (elimination tree).
 
 use crate::dense::kernels::{axpy, dot};
 use crate::friction::elimination_order::EliminationOrder;
 use crate::friction::node_matrix::NodeMatrix;
 use std::ops::Range;
 
-/// A pivot that vanishes is replaced by this (in units of the matrix, whose rows are scaled to about 1): its unknown stays where
-/// it was. Regularisation keeps pivots far above.
+/// A pivot that vanishes is replaced by this (in units of the matrix, whose rows are scaled to about 1): its unknown
+/// stays where it was. Regularisation keeps pivots far above.
 const SMALLEST_PIVOT: f64 = 1e-300;
 
 /// The factors, with the memory of one factorisation for the next.
@@ -47,8 +47,8 @@ pub(crate) trait NodeSystem {
     /// Unknowns of a node; 0 leaves it out.
     fn unknowns(&self, node: usize) -> usize;
 
-    /// Writes the entries of the rows of a node in the columns of the other one of a coupling, row-major with `stride` numbers
-    /// from row to row.
+    /// Writes the entries of the rows of a node in the columns of the other one of a coupling, row-major with `stride`
+    /// numbers from row to row.
     fn write(&mut self, node: usize, coupling: usize, stride: usize, target: &mut [f64]);
 }
 
@@ -258,7 +258,8 @@ impl Multifrontal {
     }
 }
 
-/// Eliminates the unknowns of a panel of a front whose earlier ones are eliminated, pivoting among the rows of the panel.
+/// Eliminates the unknowns of a panel of a front whose earlier ones are eliminated, pivoting among the rows of the
+/// panel.
 fn eliminate(front: &mut [f64], size: usize, panel: Range<usize>, pivots: &mut Vec<usize>) {
     for k in panel.clone() {
         let mut best = k;
@@ -298,8 +299,8 @@ fn eliminate(front: &mut [f64], size: usize, panel: Range<usize>, pivots: &mut V
     }
 }
 
-/// `row_L = row U^-1` in the columns of a panel, and the rest of each row less `row_L U`: four pivots at a time. `above` are the
-/// rows of the panel.
+/// `row_L = row U^-1` in the columns of a panel, and the rest of each row less `row_L U`: four pivots at a time.
+/// `above` are the rows of the panel.
 fn update_rows<const N: usize>(mut rows: [&mut [f64]; N], above: &[f64], panel: &Range<usize>) {
     let size = rows.first().map_or(0, |row| row.len());
     let mut k = panel.start;

@@ -1,15 +1,15 @@
 //! A semismooth Newton method for contacts with friction.
 //!
-//! Each step linearises the law of every block ([`linearise`]), eliminates what is known of open and sliding contacts, and
-//! solves the rest, `S (G + D) T y = right`, by sparse elimination. As in the method of Levenberg and Marquardt 1963 a multiple of its
-//! diagonal is added to `G`, in proportion to the residual: far from the solution, where contacts still change their status, it
-//! keeps reactions from running away along directions that move nothing (redundant contacts make `G` singular), and with the
-//! residual it vanishes, so that convergence is fast at the end. Reactions change as little as they can along such directions.
-//! The step is shortened until the function no longer grows beyond its largest value of the last steps (Grippo, Lampariello and
-//! Lucidi 1986).
+//! Each step linearises the law of every block ([`linearise`]), eliminates what is known of open and sliding contacts,
+//! and solves the rest, `S (G + D) T y = right`, by sparse elimination. As in the method of Levenberg and Marquardt
+//! 1963 a multiple of its diagonal is added to `G`, in proportion to the residual: far from the solution, where
+//! contacts still change their status, it keeps reactions from running away along directions that move nothing
+//! (redundant contacts make `G` singular), and with the residual it vanishes, so that convergence is fast at the end.
+//! Reactions change as little as they can along such directions. The step is shortened until the function no longer
+//! grows beyond its largest value of the last steps (Grippo, Lampariello and Lucidi 1986).
 //!
-//! Source: Alart and Curnier 1991; Qi and Sun 1993 (semismooth Newton). Converges quadratically once every contact has its status;
-//! from afar it may cycle, and then says so.
+//! Source: Alart and Curnier 1991; Qi and Sun 1993 (semismooth Newton). Converges quadratically once every contact has
+//! its status; from afar it may cycle, and then says so.
 
 use crate::dense::householder::PivotedQr;
 use crate::dense::kernels::largest;
@@ -24,9 +24,10 @@ use crate::friction::problem::FrictionProblem;
 use crate::law::{Law, MOST_ROWS, PARTS};
 use std::ops::Range;
 
-/// Least share of the diagonal of `G` that is added to it (no unit): between the rounding unit and the smallest share of a
-/// direction that moves something. Rounding of velocities, divided by it, lets reactions wander that move nothing, and what
-/// that turns of a sliding contact's friction is left in the residual: with 1e-10 some 1e-12 of a tower of 570 contacts.
+/// Least share of the diagonal of `G` that is added to it (no unit): between the rounding unit and the smallest share
+/// of a direction that moves something. Rounding of velocities, divided by it, lets reactions wander that move nothing,
+/// and what that turns of a sliding contact's friction is left in the residual: with 1e-10 some 1e-12 of a tower of 570
+/// contacts.
 const LEAST_DAMPING: f64 = 1e-9;
 
 /// Equations below this fraction of the largest depend on the others (no unit): quadratic in distances.
@@ -74,8 +75,8 @@ impl Damping {
 /// Steps after which a residual that is accepted and has not halved is rounding.
 const IDLE_STEPS: usize = 4;
 
-/// Steps of least norm in which the residual has not halved after which they lead nowhere (8 to 20): they take four on the
-/// average, and where they do not converge they go round in a circle.
+/// Steps of least norm in which the residual has not halved after which they lead nowhere (8 to 20): they take four on
+/// the average, and where they do not converge they go round in a circle.
 const STALLED_STEPS: usize = 12;
 
 /// Steps whose largest function the next one may reach.
@@ -116,8 +117,8 @@ pub(crate) struct NewtonLimits {
 pub(crate) enum NewtonSteps {
     /// By damping; the factorisation is sparse.
     Damped(Damping),
-    /// By the step of least norm among all that satisfy the independent equations; the factorisation is dense. It finds its
-    /// way where damping holds back contacts of stacked boxes.
+    /// By the step of least norm among all that satisfy the independent equations; the factorisation is dense. It finds
+    /// its way where damping holds back contacts of stacked boxes.
     LeastNorm,
 }
 
@@ -184,8 +185,8 @@ impl<'a> Newton<'a> {
         }
     }
 
-    /// Goes on from `iterate` until the tolerance is reached, steps lead nowhere or their number is used up; `iterate` is then the
-    /// best of all. Returns the number of steps.
+    /// Goes on from `iterate` until the tolerance is reached, steps lead nowhere or their number is used up; `iterate`
+    /// is then the best of all. Returns the number of steps.
     pub(crate) fn run(&mut self, iterate: &mut Iterate, limits: NewtonLimits) -> usize {
         let (mut reactions, mut velocities) = (iterate.reactions.clone(), iterate.velocities.clone());
         let (mut trial, mut trial_velocities) = (Vec::new(), Vec::new());

@@ -7,16 +7,18 @@
 //! ```
 //!
 //! A node with no more unknowns `y` than independent rows is eliminated as it stands. Of another one, four corners that
-//! stick, `y` is eliminated beforehand and `w` is left, which stands for the force and the moment of the corners together:
+//! stick, `y` is eliminated beforehand and `w` is left, which stands for the force and the moment of the corners
+//! together:
 //!
 //! ```text
 //! w_g + K_g v_g = R_g^T D_g^-1 b_g,   K_g = R_g^T D_g^-1 L_g
 //! ```
 //!
-//! What of `y` moves nothing, `R^T y = 0`, is damped more than the rest: `b` has rounding there and what the data contradict
-//! each other by, which damping that vanishes would turn into reactions that wander from step to step. With the damping
-//! `D'` in the place of `D`, `y = D'^-1 (b - L x)`, where `x` is such that `R^T y = w`. Where damping is large anyway,
-//! `D' = D` and `x = v`: the iterates are those of the whole system. Assumption: `D > 0`, which damping sees to.
+//! What of `y` moves nothing, `R^T y = 0`, is damped more than the rest: `b` has rounding there and what the data
+//! contradict each other by, which damping that vanishes would turn into reactions that wander from step to step. With
+//! the damping `D'` in the place of `D`, `y = D'^-1 (b - L x)`, where `x` is such that `R^T y = w`. Where damping is
+//! large anyway, `D' = D` and `x = v`: the iterates are those of the whole system. Assumption: `D > 0`, which damping
+//! sees to.
 
 use crate::dense::kernels::{axpy, short_dot};
 use crate::dense::small::solve_small;
@@ -27,11 +29,12 @@ use crate::friction::node_matrix::NodeMatrix;
 use std::ops::Range;
 
 /// Least share of the diagonal that damps what moves nothing within a node (no unit, 0 to 1e-6): rounding and data that
-/// contradict each other by 1e-13 then move no reaction by more than 1e-7 of what stops a contact. More of it keeps corners
-/// from sharing a load anew: 1e-3 takes twice the steps for heaps of boxes.
+/// contradict each other by 1e-13 then move no reaction by more than 1e-7 of what stops a contact. More of it keeps
+/// corners from sharing a load anew: 1e-3 takes twice the steps for heaps of boxes.
 const LEAST_NODE_DAMPING: f64 = 1e-6;
 
-/// Pivots below this fraction of the largest depend on the others (no unit): contacts along a line have no moment about it.
+/// Pivots below this fraction of the largest depend on the others (no unit): contacts along a line have no moment about
+/// it.
 const DEPENDENT_LAW: f64 = 1e-11;
 
 /// The system of one step.
@@ -236,8 +239,8 @@ impl NodeLaws {
         }
     }
 
-    /// The changes `dr = T y + shift` of all reactions, from what the elimination gives; `first` is the first row of each
-    /// block.
+    /// The changes `dr = T y + shift` of all reactions, from what the elimination gives; `first` is the first row of
+    /// each block.
     pub(crate) fn changes(
         &mut self,
         of: LawsOfBlocks<'_>,

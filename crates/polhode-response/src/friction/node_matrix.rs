@@ -1,17 +1,18 @@
 //! The Delassus operator between the nodes of an elimination, each reduced to its independent rows.
 //!
-//! Contacts between the same two bodies are one node of `m` rows, but two bodies move relative to each other in at most six
-//! ways: four corners have twelve rows of which six are independent. With `s` the independent rows of a node, the others follow
-//! from them, and so do columns,
+//! Contacts between the same two bodies are one node of `m` rows, but two bodies move relative to each other in at most
+//! six ways: four corners have twelve rows of which six are independent. With `s` the independent rows of a node, the
+//! others follow from them, and so do columns,
 //!
 //! ```text
-//! G_gh = A_g H_gh C_h^T,   H_gh = G[s_g, s_h],   A_g = 1 on s_g, G[o_g, s_g] G[s_g, s_g]^-1 on the others, C_h likewise
+//! G_gh = A_g H_gh C_h^T,   H_gh = G[s_g, s_h],   A_g = 1 on s_g, G[o_g, s_g] G[s_g, s_g]^-1 on the others, C_h too
 //! ```
 //!
-//! so that `H` is a part of `G` itself. `C` differs from `A` only where `G` is not quite symmetric. Source: skeletonisation
-//! (Cheng, Gimbutas, Martinsson and Rokhlin 2005), with pivots on the diagonal, which suit a semidefinite matrix. Assumption: a
-//! node is reduced only if that reproduces its rows and columns of `G`, tested by a product with a fixed vector of no pattern
-//! (Freivalds 1979). Failure: a node that cannot be reduced keeps all its rows.
+//! so that `H` is a part of `G` itself. `C` differs from `A` only where `G` is not quite symmetric. Source:
+//! skeletonisation (Cheng, Gimbutas, Martinsson and Rokhlin 2005), with pivots on the diagonal, which suit a
+//! semidefinite matrix. Assumption: a node is reduced only if that reproduces its rows and columns of `G`, tested by a
+//! product with a fixed vector of no pattern (Freivalds 1979). Failure: a node that cannot be reduced keeps all its
+//! rows.
 
 use crate::dense::kernels::{axpy, dot, largest};
 use crate::friction::block_matrix::BlockMatrix;
@@ -25,11 +26,12 @@ const DEPENDENT_IN_NODE: f64 = 1e-12;
 /// Rows that must depend on others for a node to be reduced: those of a contact. Fewer cost more than they save.
 const LEAST_DEPENDENT: usize = 3;
 
-/// Rows of a front from which on its nodes are reduced (48 to 144): elimination of smaller ones costs less than reduction.
+/// Rows of a front from which on its nodes are reduced (48 to 144): elimination of smaller ones costs less than
+/// reduction.
 const LEAST_FRONT: usize = 96;
 
-/// How well dependent rows and columns must be reproduced, relative to the products that they are compared by (no unit, 1e-12
-/// to 1e-6): the linearised system need not be exact, since each step starts from the true residual.
+/// How well dependent rows and columns must be reproduced, relative to the products that they are compared by (no unit,
+/// 1e-12 to 1e-6): the linearised system need not be exact, since each step starts from the true residual.
 const REPRODUCED: f64 = 1e-11;
 
 /// `H`, `A` and `C`.
@@ -220,7 +222,8 @@ fn expansion(matrix: &BlockMatrix, blocks: &[usize], node: &NodeRows) -> Option<
         }
         row_start += height;
     }
-    // Rows of A and C as they grow: what each eliminated row has of the pivots is substituted at once (Gauss and Jordan).
+    // Rows of A and C as they grow: what each eliminated row has of the pivots is substituted at once (Gauss and
+    // Jordan).
     let most = (0..size).fold(0.0, |most: f64, k| most.max(rest[k * size + k]));
     let mut independent = Vec::new();
     let mut is_used = vec![false; size];

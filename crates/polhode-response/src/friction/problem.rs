@@ -1,8 +1,9 @@
 //! The frictional contact problem: `u = G r + q`, and Coulomb's law or a hold for each block of rows.
 //!
-//! `G` is the Delassus operator (1/kg), `q` the velocities (accelerations) without reactions, `r` the impulses (forces).
-//! Source: Acary and Brogliato 2008, chapter 13; thesis, section 4 (where it stops). Assumption: the rows of a contact have one
-//! unit, so that their speeds can be compared. Failure: data out of range is refused with a [`ResponseError`].
+//! `G` is the Delassus operator (1/kg), `q` the velocities (accelerations) without reactions, `r` the impulses
+//! (forces). Source: Acary and Brogliato 2008, chapter 13; thesis, section 4 (where it stops). Assumption: the rows of
+//! a contact have one unit, so that their speeds can be compared. Failure: data out of range is refused with a
+//! [`ResponseError`].
 
 use crate::certificate::nan_max;
 use crate::dense::kernels::largest;
@@ -13,15 +14,15 @@ use crate::friction::rows_behind::RowsBehind;
 use crate::law::{Law, MOST_ROWS};
 use std::ops::Range;
 
-/// A contact that no reaction moves is measured by this fraction of the largest inverse mass (no unit): with it a reaction
-/// there shows in the residual, however small.
+/// A contact that no reaction moves is measured by this fraction of the largest inverse mass (no unit): with it a
+/// reaction there shows in the residual, however small.
 const IMMOVABLE: f64 = 1e-3;
 
 /// Rounding error of a sum of terms, in units in the last place of the sum of their magnitudes (4 to 64).
 const ROUNDING_UNITS: f64 = 8.0;
 
-/// Residuals above this are never taken for rounding (no unit, 1e-9 to 1e-7): reactions so large that their rounding is more
-/// than this diverge.
+/// Residuals above this are never taken for rounding (no unit, 1e-9 to 1e-7): reactions so large that their rounding is
+/// more than this diverge.
 const LARGEST_ROUNDING: f64 = 1e-8;
 
 /// A frictional contact problem.
@@ -64,8 +65,8 @@ impl FrictionProblem {
     /// A problem with a `G` in blocks, one block row for each of `blocks`.
     ///
     /// # Errors
-    /// When a coefficient of friction is negative or not finite, a block has too few or too many rows, lengths differ, or a number is not
-    /// finite.
+    /// When a coefficient of friction is negative or not finite, a block has too few or too many rows, lengths differ,
+    /// or a number is not finite.
     pub fn new(blocks: Vec<Law>, matrix: BlockMatrix, constant: Vec<f64>) -> Result<Self, ResponseError> {
         check_blocks(&blocks)?;
         check_length("blocks of the Delassus matrix", blocks.len(), matrix.len())?;
@@ -161,13 +162,13 @@ impl FrictionProblem {
         Ok(velocities)
     }
 
-    /// The residual of any reactions: the largest over all blocks of the natural map with De Saxce's correction, in units of
-    /// velocity, relative to the largest velocity without reactions:
+    /// The residual of any reactions: the largest over all blocks of the natural map with De Saxce's correction, in
+    /// units of velocity, relative to the largest velocity without reactions:
     ///
     /// `max_i |r_i - P_K(r_i - rho_i u'_i)| / (rho_i max_k |q_k|)`, `rho_i = 1 / G_nn,i`, `u' = u + mu |u_t| n`,
     ///
-    /// and `|u_i| / max_k |q_k|` for rows that are held. No unit; the same when units of mass, length or time change. Zero where
-    /// all `q` are zero and the reactions as well.
+    /// and `|u_i| / max_k |q_k|` for rows that are held. No unit; the same when units of mass, length or time change.
+    /// Zero where all `q` are zero and the reactions as well.
     ///
     /// # Errors
     /// When `reactions` has not one number for each row.
@@ -189,8 +190,8 @@ impl FrictionProblem {
         (1.0 + friction) * LARGEST_ROUNDING
     }
 
-    /// What rounding of `G r + q` alone leaves of the residual of such reactions: large ones that cancel leave more, and the
-    /// correction of De Saxce multiplies what is left of a slip by the coefficient of friction.
+    /// What rounding of `G r + q` alone leaves of the residual of such reactions: large ones that cancel leave more,
+    /// and the correction of De Saxce multiplies what is left of a slip by the coefficient of friction.
     pub(crate) fn rounding_of(&self, reactions: &[f64]) -> f64 {
         let size = largest(&self.constant);
         let terms = |row: usize| {
@@ -227,8 +228,8 @@ impl FrictionProblem {
         rows.map(|row| self.matrix.diagonal_entry(block, row)).sum::<f64>() / count
     }
 
-    /// The same problem where each row yields, by this share of its inverse mass, to what its reaction exceeds that of `around`;
-    /// rows of one part of a block alike.
+    /// The same problem where each row yields, by this share of its inverse mass, to what its reaction exceeds that of
+    /// `around`; rows of one part of a block alike.
     pub(crate) fn yielding(&self, share: f64, around: &[f64]) -> Self {
         let of_row = |block: usize, row: usize| {
             let law = self.blocks[block];

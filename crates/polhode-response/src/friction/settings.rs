@@ -8,15 +8,15 @@ use crate::settings::FallbackPolicy;
 pub struct FrictionSettings {
     /// The residual to reach: methods stop there.
     pub tolerance: f64,
-    /// The largest residual that counts as solved, where the tolerance is not reached. What rounding of large reactions that
-    /// cancel leaves counts as solved too.
+    /// The largest residual that counts as solved, where the tolerance is not reached. What rounding of large reactions
+    /// that cancel leaves counts as solved too.
     pub acceptance: f64,
     /// Sweeps of block Gauss-Seidel at a cold start, before Newton's method.
     pub sweeps: u32,
     /// Steps of Newton's method from one start.
     pub newton_steps: u32,
-    /// Convex programmes, each with the correction of the last. A few show whether they lead anywhere; where bodies slide
-    /// on each other in many places the answer may be some twenty away.
+    /// Convex programmes, each with the correction of the last. A few show whether they lead anywhere; where bodies
+    /// slide on each other in many places the answer may be some twenty away.
     pub corrections: u32,
     /// Sweeps of the last resort.
     pub last_sweeps: u32,
@@ -32,9 +32,10 @@ pub enum Redundancy {
     /// Those found first.
     #[default]
     Any,
-    /// Those of contacts that yield alike, by less and less: none of a patch bears more than its share. They depend neither on
-    /// the order of the contacts, nor on where in their planes the tangents lie, nor on the start. For problems of up to 120
-    /// rows; where they are not found, those to which steps of least norm lead from the start, and then those found first.
+    /// Those of contacts that yield alike, by less and less: none of a patch bears more than its share. They depend
+    /// neither on the order of the contacts, nor on where in their planes the tangents lie, nor on the start. For
+    /// problems of up to 120 rows; where they are not found, those to which steps of least norm lead from the start,
+    /// and then those found first.
     LeastNorm,
 }
 

@@ -4,12 +4,13 @@
 //! - open: `b_n >= 0`, `r = 0`;
 //! - stick: `r = -A^-1 b`, if it lies in the cone;
 //! - slide: `u_n = 0` gives `r_n = -(b_n + A_nt r_t) / A_nn` and `u_t = W r_t + c` with `W = A_tt - A_tn A_nt / A_nn`,
-//!   `c = b_t - A_tn b_n / A_nn`. With `u_t = -x r_t`, `x >= 0`, the tangential reaction is `r_t(x) = -(W + x)^-1 c`, and what is
-//!   left is one equation in `x`: `|r_t(x)| = mu r_n(x)`. Its left side exceeds the right at `x = 0`, where the contact would
-//!   stick, and falls below it for large `x`, so that there is a root; it is bracketed and found by Newton's method.
+//!   `c = b_t - A_tn b_n / A_nn`. With `u_t = -x r_t`, `x >= 0`, the tangential reaction is `r_t(x) = -(W + x)^-1 c`,
+//!   and what is left is one equation in `x`: `|r_t(x)| = mu r_n(x)`. Its left side exceeds the right at `x = 0`, where
+//!   the contact would stick, and falls below it for large `x`, so that there is a root; it is bracketed and found by
+//!   Newton's method.
 //!
-//! Source: Bonnefon and Daviet 2011 solve the same equation as a quartic polynomial. Where several roots exist (strong coupling
-//! of normal and tangent) one is taken.
+//! Source: Bonnefon and Daviet 2011 solve the same equation as a quartic polynomial. Where several roots exist (strong
+//! coupling of normal and tangent) one is taken.
 
 use crate::friction::coulomb_cone::{Rows, project, tangential_length};
 use crate::law::{CONTACT_ROWS, Law};
@@ -58,8 +59,8 @@ pub(crate) fn solve(block: Law, a: &Square, b: Rows) -> Rows {
     if rows == 2 { slide_in_plane(a, b, friction, sticking) } else { slide(a, b, friction) }
 }
 
-/// A contact that slides already. Where friction pulls the bodies together at least as much as the normal reaction pushes
-/// them apart (Painleve), there is no reaction that is the answer, and the one without friction is taken.
+/// A contact that slides already. Where friction pulls the bodies together at least as much as the normal reaction
+/// pushes them apart (Painleve), there is no reaction that is the answer, and the one without friction is taken.
 fn already_sliding(a: &Square, b: Rows, friction: f64) -> Rows {
     if b[0] >= 0.0 || a[0][0] <= 0.0 {
         return [0.0; CONTACT_ROWS];
@@ -140,7 +141,8 @@ fn slide(a: &Square, b: Rows, friction: f64) -> Rows {
         let slope_t = [below * ((yy + x) * t[0] - xy * t[1]), below * ((xx + x) * t[1] - yx * t[0])];
         let slope = (t[0] * slope_t[0] + t[1] * slope_t[1]) / length
             + friction * (a[0][1] * slope_t[0] + a[0][2] * slope_t[1]) * over;
-        // 1/|t| is nearly linear in x, as in trust regions: Newton's method for 1/|t| - 1/(mu n) is the plain one stretched.
+        // 1/|t| is nearly linear in x, as in trust regions: Newton's method for 1/|t| - 1/(mu n) is the plain one
+        // stretched.
         let allowed = length - value;
         let newton = x - value / slope * if allowed > 0.0 { length / allowed } else { 1.0 };
         let next = if newton > low && newton < high { newton } else { 0.5 * (low + high) };

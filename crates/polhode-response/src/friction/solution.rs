@@ -17,7 +17,8 @@ pub enum FrictionMethod {
     Newton,
     /// Newton's method from zero, after that.
     NewtonFromZero,
-    /// Newton's method for contacts that yield a little around the last answer, until there is nothing left to yield to.
+    /// Newton's method for contacts that yield a little around the last answer, until there is nothing left to yield
+    /// to.
     ProximalNewton,
     /// Newton's method without damping, with the least of all steps where contacts are redundant.
     LeastNormNewton,
@@ -114,9 +115,10 @@ pub struct FrictionSolution {
     pub statuses: Vec<ContactStatus>,
     /// What each contact does in its slip, its rolling and its spinning; open for what it does not resist.
     pub parts: Vec<[ContactStatus; 3]>,
-    /// When the problem is [infeasible](SolverStatus::Infeasible): normal reactions `z >= 0`, the largest 1, that move nothing,
-    /// `G z = 0`, and with `q.z < 0`. Since `z.u = z.(G r + q) = q.z` for all `r` (`G` symmetric), no reactions make all normal
-    /// velocities `u_n >= 0`: the contacts of its positive entries squeeze bodies between them. Otherwise empty.
+    /// When the problem is [infeasible](SolverStatus::Infeasible): normal reactions `z >= 0`, the largest 1, that move
+    /// nothing, `G z = 0`, and with `q.z < 0`. Since `z.u = z.(G r + q) = q.z` for all `r` (`G` symmetric), no
+    /// reactions make all normal velocities `u_n >= 0`: the contacts of its positive entries squeeze bodies between
+    /// them. Otherwise empty.
     pub squeeze: Vec<f64>,
     /// The certificate.
     pub report: FrictionReport,

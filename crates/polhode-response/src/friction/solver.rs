@@ -1,8 +1,8 @@
 //! The chain of methods for contacts with friction, and one residual for all of them.
 //!
-//! Newton's method from the start given; from what would hold all contacts, after some sweeps of block Gauss-Seidel; from
-//! zero; the same with steps of least norm; the convex cone programme and Newton's method; many sweeps and Newton's method.
-//! What is best of all is returned, with its residual and what became of it.
+//! Newton's method from the start given; from what would hold all contacts, after some sweeps of block Gauss-Seidel;
+//! from zero; the same with steps of least norm; the convex cone programme and Newton's method; many sweeps and
+//! Newton's method. What is best of all is returned, with its residual and what became of it.
 
 #[cfg(feature = "census")]
 use crate::census::{self, Answer, Chain, Size};
@@ -25,8 +25,9 @@ const HOLDING_DAMPING: f64 = 0.1;
 /// Most rows for Newton's method with steps of least norm, whose factorisation is dense.
 const MOST_DENSE_ROWS: usize = 120;
 
-/// Share of its inverse mass by which a contact yields where the reactions of redundant contacts are chosen (no unit, 1e-5 to
-/// 1e-3): the choice is that of softer contacts to this share, and rounding moves it by the rounding unit over it.
+/// Share of its inverse mass by which a contact yields where the reactions of redundant contacts are chosen (no unit,
+/// 1e-5 to 1e-3): the choice is that of softer contacts to this share, and rounding moves it by the rounding unit over
+/// it.
 const YIELDING: f64 = 1e-4;
 
 /// Sweeps between two runs of Newton's method as the last resort.
@@ -37,7 +38,7 @@ const SWEEPS_BETWEEN: u32 = 50;
 /// ```
 /// use polhode_response::friction::{ContactStatus, FrictionProblem, FrictionSettings, solve_friction};
 /// use polhode_response::{Law, SolverStatus};
-/// // A point of 2 kg on a floor of friction 0.5 that comes down with 3 m/s and along with 4 m/s slides on with 2.5 m/s.
+/// // A point of 2 kg on a floor of friction 0.5: it comes down with 3 m/s and along with 4 m/s, and slides with 2.5.
 /// let contact = Law::Cone { rows: 3, friction: 0.5 };
 /// let matrix = [0.5, 0.0, 0.0, 0.0, 0.5, 0.0, 0.0, 0.0, 0.5];
 /// let problem = FrictionProblem::from_dense(vec![contact], &matrix, vec![-3.0, 4.0, 0.0])?;
@@ -178,8 +179,9 @@ impl Solver<'_> {
         }
     }
 
-    /// Newton's method from reactions of a similar problem, or from zero. Nothing here depends on the order of the contacts: where
-    /// they are redundant, alike ones share a load alike. Whether the tolerance is reached, or what is accepted.
+    /// Newton's method from reactions of a similar problem, or from zero. Nothing here depends on the order of the
+    /// contacts: where they are redundant, alike ones share a load alike. Whether the tolerance is reached, or what is
+    /// accepted.
     fn warm_newton(&mut self, start: &[f64]) -> bool {
         self.begins(FrictionMethod::WarmNewton);
         let iterate = self.iterate(start.to_vec());
@@ -198,12 +200,12 @@ impl Solver<'_> {
         self.newton_from(reactions, FrictionMethod::WarmNewton) || self.is_accepted()
     }
 
-    /// The proximal point method from zero: contacts yield a little to what their reactions exceed those of the round before,
-    /// and Newton's method, which begins at `start`, solves each round. Reactions of contacts that yield are unique, whereas
-    /// those of rigid contacts of one flat patch are a curve along which slips, and with them the motion, differ: which point of
-    /// it another method comes upon depends on its path, on ties that rounding decides, and on the start. Each further round
-    /// leaves some [`YIELDING`] of the residual, and moves no reaction along the curve. Source: Rockafellar 1976. Whether the
-    /// tolerance is reached.
+    /// The proximal point method from zero: contacts yield a little to what their reactions exceed those of the round
+    /// before, and Newton's method, which begins at `start`, solves each round. Reactions of contacts that yield are
+    /// unique, whereas those of rigid contacts of one flat patch are a curve along which slips, and with them the
+    /// motion, differ: which point of it another method comes upon depends on its path, on ties that rounding decides,
+    /// and on the start. Each further round leaves some [`YIELDING`] of the residual, and moves no reaction along the
+    /// curve. Source: Rockafellar 1976. Whether the tolerance is reached.
     fn proximal_newton(&mut self, start: &[f64]) -> bool {
         if !self.begins(FrictionMethod::ProximalNewton) {
             return false;
@@ -245,9 +247,9 @@ impl Solver<'_> {
         self.keep(iterate, FrictionMethod::GaussSeidel)
     }
 
-    /// Newton's method from what some sweeps say. They begin with the reactions that would hold all contacts, within their
-    /// cones: these tell which of them bear a load, far from where bodies touch what is fixed, too, and the sweeps sort out
-    /// what slides or parts. Whether the tolerance is reached.
+    /// Newton's method from what some sweeps say. They begin with the reactions that would hold all contacts, within
+    /// their cones: these tell which of them bear a load, far from where bodies touch what is fixed, too, and the
+    /// sweeps sort out what slides or parts. Whether the tolerance is reached.
     fn cold_newton(&mut self) -> bool {
         if self.one_sweep() {
             return true;
@@ -260,8 +262,8 @@ impl Solver<'_> {
         self.keep(iterate, FrictionMethod::GaussSeidel) || self.newton_from(reactions, FrictionMethod::Newton)
     }
 
-    /// The convex programme with the correction of its last answer, and Newton's method from each. Whether the tolerance is
-    /// reached, or it is proven that there is no solution.
+    /// The convex programme with the correction of its last answer, and Newton's method from each. Whether the
+    /// tolerance is reached, or it is proven that there is no solution.
     fn cone_programme(&mut self) -> bool {
         if !self.begins(FrictionMethod::ConeProgrammeNewton) {
             return false;

@@ -1,19 +1,22 @@
-//! Stronge's energetic law for several contacts without friction: each contact gives back `e^2` of the work that it took.
+//! Stronge's energetic law for several contacts without friction: each contact gives back `e^2` of the work that it
+//! took.
 //!
 //! Compression: the inelastic impact `0 <= u_c _|_ p_c >= 0`, `u_c = u- + G p_c`, along the straight way from `u-` to
-//! `u_c`, on which row `i` takes the work `W_i = -p_c,i (u_i- + u_c,i)/2` (J). Expansion: the impulses go on growing in the
-//! ratios of the compression, `dp_i = p_c,i ds`, and each row for itself ends as soon as it has given back `e_i^2 W_i`;
-//! the others go on. What a row takes again meanwhile, pushed by the others, adds to its `W_i`. The velocities are linear and
-//! the works quadratic in `s` between two ends, so that each end is the root of a quadratic. What approaches afterwards, pushed
-//! by rows that ended later, is compressed and expands in another round. Where rows that separate are closed by the others, the
-//! compression does positive work there; it has come from the rows that took work, each of which has less to give back in proportion.
+//! `u_c`, on which row `i` takes the work `W_i = -p_c,i (u_i- + u_c,i)/2` (J). Expansion: the impulses go on growing in
+//! the ratios of the compression, `dp_i = p_c,i ds`, and each row for itself ends as soon as it has given back
+//! `e_i^2 W_i`; the others go on. What a row takes again meanwhile, pushed by the others, adds to its `W_i`. The
+//! velocities are linear and the works quadratic in `s` between two ends, so that each end is the root of a quadratic.
+//! What approaches afterwards, pushed by rows that ended later, is compressed and expands in another round. Where rows
+//! that separate are closed by the others, the compression does positive work there; it has come from the rows that
+//! took work, each of which has less to give back in proportion.
 //!
 //! Energy: `dT = -sum (1 - e_i^2) W_i <= 0` for every contact by itself, whatever the restitutions; the restitution is
-//! taken away only where rounding of rows that contradict each other would raise the energy. With one `e` all rows end at `s = e`: this is Poisson's law and Newton's then. They differ where
-//! `e` does.
+//! taken away only where rounding of rows that contradict each other would raise the energy. With one `e` all rows end
+//! at `s = e`: this is Poisson's law and Newton's then. They differ where `e` does.
 //!
-//! Assumption: the straight way, which is that of contacts of stiffness in proportion. Rounds may not end where bodies are
-//! squeezed between others; they are given up then ([`ImpactStatus::LimitReached`]) and what approaches is stopped inelastically.
+//! Assumption: the straight way, which is that of contacts of stiffness in proportion. Rounds may not end where bodies
+//! are squeezed between others; they are given up then ([`ImpactStatus::LimitReached`]) and what approaches is stopped
+//! inelastically.
 //!
 //! Source: Stronge 1990, for one contact; the extension to several is derived here.
 
@@ -30,8 +33,8 @@ const SPENT: f64 = 1e-13;
 /// A rate of velocity below this part of the largest one is zero (no unit): rounding of the products of `G`.
 const NO_RATE: f64 = 1e-14;
 
-/// Longest expansion, in lengths of the compression (no unit, 4 to 100): with one restitution it is `e`. Rows that hardly open would
-/// go on without bound, and are ended with less than they may give.
+/// Longest expansion, in lengths of the compression (no unit, 4 to 100): with one restitution it is `e`. Rows that
+/// hardly open would go on without bound, and are ended with less than they may give.
 const LONGEST_EXPANSION: f64 = 16.0;
 
 /// Most rounds; those that end at all take fewer (16 to 256).

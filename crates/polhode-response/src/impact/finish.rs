@@ -71,8 +71,8 @@ impl<'a> Impact<'a> {
     }
 
     /// Takes the motion of joints out of the velocities, before any contact is struck: joints that move and contacts
-    /// that rebound, struck together, could raise the energy. Joints that move no faster than contacts that do not approach are
-    /// at rest: joints of closed loops contradict each other by the rounding of their velocities.
+    /// that rebound, struck together, could raise the energy. Joints that move no faster than contacts that do not
+    /// approach are at rest: joints of closed loops contradict each other by the rounding of their velocities.
     pub(super) fn stop_joints(
         &mut self,
         joints: &[usize],
@@ -190,8 +190,8 @@ impl<'a> Impact<'a> {
         compensated_dot(impulses, &mean)
     }
 
-    /// Lists one application for each row with an impulse, for the laws that strike all rows at once: all of it, with what the last
-    /// inelastic solve gave.
+    /// Lists one application for each row with an impulse, for the laws that strike all rows at once: all of it, with
+    /// what the last inelastic solve gave.
     pub(super) fn list_applications(&self, outcome: &mut ImpactOutcome) {
         let (mut rows, mut impulses) = (Vec::new(), Vec::new());
         for (row, &impulse) in outcome.impulses.iter().enumerate() {

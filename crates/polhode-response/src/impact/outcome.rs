@@ -50,8 +50,8 @@ pub struct Application {
 pub struct ImpactOutcome {
     /// Total impulse of each row, N s.
     pub impulses: Vec<f64>,
-    /// The impulses in order. Propagation: each application, without the final inelastic solve; the other laws: one for each row with
-    /// an impulse, all of it.
+    /// The impulses in order. Propagation: each application, without the final inelastic solve; the other laws: one for
+    /// each row with an impulse, all of it.
     pub applications: Vec<Application>,
     /// The part of `impulses` that the final inelastic solve added; empty when none was needed.
     pub finishing: Vec<f64>,

@@ -7,12 +7,12 @@
 //! m/s, `p` in N s, `G` in 1/kg.
 //!
 //! Energy: with one `e` for all rows the impact loses energy for `e < 1` and keeps it for `e = 1` where no row asks for
-//! more than `e p_c`. Restitutions that differ are judged by what they do: where they would raise the energy the smallest
-//! is used for all rows, said by the status.
+//! more than `e p_c`. Restitutions that differ are judged by what they do: where they would raise the energy the
+//! smallest is used for all rows, said by the status.
 //!
-//! Assumption: where impulses are not unique, those of the compression are of least norm, which does not depend on the order
-//! of the rows. With one `e`, and all rows held in the compression, this law and the simultaneous one agree; they differ
-//! where the compression opens a row that approached, and where `e` differs.
+//! Assumption: where impulses are not unique, those of the compression are of least norm, which does not depend on the
+//! order of the rows. With one `e`, and all rows held in the compression, this law and the simultaneous one agree; they
+//! differ where the compression opens a row that approached, and where `e` differs.
 //!
 //! Source: Poisson 1811; Glocker and Pfeiffer 1995.
 

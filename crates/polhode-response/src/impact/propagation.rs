@@ -3,8 +3,8 @@
 //! The contacts have an order, that of the rows. The first one that approaches gets the impulse of equation (14), and
 //! the search starts again from the beginning of the list; when none approaches, the impact is over.
 //!
-//! Assumption: the order of the rows means something to the caller; another order ([`propagation_in_order`]) gives another
-//! motion. The sequence
+//! Assumption: the order of the rows means something to the caller; another order ([`propagation_in_order`]) gives
+//! another motion. The sequence
 //! may be infinite (thesis, Appendix C; errata E20 to E22: a stick with `e <= tan^2(pi/4 - theta/2)` never leaves), so
 //! it is cut off below a threshold relative to the first approach, and what is left is removed by one inelastic solve.
 
@@ -27,7 +27,8 @@ pub fn propagation(
     propagation_in_order(problem, solver, &order)
 }
 
-/// [`propagation`] with the rows in another order: of those that approach, the one that comes first in `order` is struck.
+/// [`propagation`] with the rows in another order: of those that approach, the one that comes first in `order` is
+/// struck.
 ///
 /// # Errors
 /// Those of [`propagation`], and when `order` does not name each row.

@@ -1,24 +1,26 @@
 //! The pulse law: the contacts are springs that spend what they have taken, while the bodies stand still (Liu, Zhao and
 //! Brogliato).
 //!
-//! Each contact stores the energy `E_i` of a spring of stiffness `K` and exponent `eta` (1: linear; 3/2: Hertz), all of the
-//! same `K`. Impulses grow in the ratios of the forces,
+//! Each contact stores the energy `E_i` of a spring of stiffness `K` and exponent `eta` (1: linear; 3/2: Hertz), all of
+//! the same `K`. Impulses grow in the ratios of the forces,
 //!
-//! `dp_i/dp_j = (E_i/E_j)^(eta/(1 + eta))`, `dE_i = -u_i dp_i` while it closes, `dE_i = -u_i dp_i/e_i^2` while it opens,
+//! `dp_i/dp_j = (E_i/E_j)^(eta/(1 + eta))`, `dE_i = -u_i dp_i` while it closes, `dE_i = -u_i dp_i/e_i^2` while it
+//! opens,
 //!
 //! with `u = u- + G p` (m/s, 1/kg, N s), and the impact ends when all energies are spent and nothing approaches
 //! (`friction/springs.rs` has the method). `K` cancels.
 //!
-//! Unlike the laws of complementarity it says how momentum spreads: one ball into a row of linear or of Hertzian contacts does
-//! not send one ball out alone. Energy: `dT = -sum_i (1 - e_i^2) W_i <= 0`, with `W_i` the work that contact `i` took.
+//! Unlike the laws of complementarity it says how momentum spreads: one ball into a row of linear or of Hertzian
+//! contacts does not send one ball out alone. Energy: `dT = -sum_i (1 - e_i^2) W_i <= 0`, with `W_i` the work that
+//! contact `i` took.
 //!
-//! Joints are held throughout: their reaction to an impulse at each contact is found once. A contact that is struck alone has the
-//! closed form of equation (14).
+//! Joints are held throughout: their reaction to an impulse at each contact is found once. A contact that is struck
+//! alone has the closed form of equation (14).
 //!
 //! Assumption: no friction (`friction/pulse.rs` has it), and stiffness the same at all contacts.
-//! How it fails: where no velocity separates all rows, as of a body that just fits between two others, what keeps all its energy
-//! goes on without end; there [`SQUEEZED_COMPRESSIONS`] are allowed, elsewhere [`MOST_COMPRESSIONS`]. The rest is
-//! stopped inelastically and the status is [`ImpactStatus::LimitReached`].
+//! How it fails: where no velocity separates all rows, as of a body that just fits between two others, what keeps all
+//! its energy goes on without end; there [`SQUEEZED_COMPRESSIONS`] are allowed, elsewhere [`MOST_COMPRESSIONS`]. The
+//! rest is stopped inelastically and the status is [`ImpactStatus::LimitReached`].
 //!
 //! Source: Liu, Zhao and Brogliato 2008.
 
@@ -32,8 +34,8 @@ use super::single_contact_impulse;
 use crate::complementarity::ComplementaritySolver;
 use crate::error::ResponseError;
 
-/// Most compressions for each contact where no velocity separates all rows (16 to 1000): what loses a tenth of its energy in each
-/// has a thousandth left.
+/// Most compressions for each contact where no velocity separates all rows (16 to 1000): what loses a tenth of its
+/// energy in each has a thousandth left.
 const SQUEEZED_COMPRESSIONS: usize = 64;
 
 /// Resolves an impact by springs at the touching contacts.
@@ -90,7 +92,8 @@ pub fn pulse(
     let before_rounding = impulses_total(&outcome);
     impact.conclude(velocities, &mut outcome);
     if outcome.finishing.is_empty() && impulses_total(&outcome) != before_rounding {
-        // The error of the steps was in favour of energy: the velocities are those of the impulses that were shortened for it.
+        // The error of the steps was in favour of energy: the velocities are those of the impulses that were shortened
+        // for it.
         let rows: Vec<usize> = (0..outcome.impulses.len()).collect();
         let mut after = problem.u_before.to_vec();
         impact.advance(&mut after, &rows, &outcome.impulses);
@@ -99,7 +102,8 @@ pub fn pulse(
         }
     }
     if outcome.status == ImpactStatus::StoppedAtThreshold {
-        // The springs have spent their energy: what approaches still is the error of their steps, and no sequence cut off.
+        // The springs have spent their energy: what approaches still is the error of their steps, and no sequence cut
+        // off.
         outcome.status = ImpactStatus::Separated;
         outcome.finishing.clear();
     }

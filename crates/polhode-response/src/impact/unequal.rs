@@ -1,8 +1,9 @@
 //! Restitutions that differ from contact to contact: what all laws do where they contradict each other.
 //!
-//! With one `e` a law of several contacts has a solution that does not raise the energy. Restitutions that differ may ask for
-//! energy (`dT > 0`), or of bodies that fit between others to leave on both sides, which no impulses do. A law then resolves the
-//! impact once more with one lower restitution `e` for all rows, and the status says so ([`ImpactStatus::RestitutionLowered`]).
+//! With one `e` a law of several contacts has a solution that does not raise the energy. Restitutions that differ may
+//! ask for energy (`dT > 0`), or of bodies that fit between others to leave on both sides, which no impulses do. A law
+//! then resolves the impact once more with one lower restitution `e` for all rows, and the status says so
+//! ([`ImpactStatus::RestitutionLowered`]).
 //!
 //! Source: Glocker 2001 (energy of unequal restitutions).
 
@@ -23,8 +24,8 @@ pub(super) fn smallest_where_they_differ(problem: &ImpactProblem<'_>) -> Option<
     (least < most).then_some(least)
 }
 
-/// An outcome, or the one with this lower restitution for all rows where it has no solution or raises the energy by more than
-/// rounding.
+/// An outcome, or the one with this lower restitution for all rows where it has no solution or raises the energy by
+/// more than rounding.
 pub(super) fn or_lowered(
     impact: &mut Impact<'_>,
     found: ImpactOutcome,

@@ -3,17 +3,17 @@
 //! A mass m meets a spring at speed v and leaves it at e v. Both relations are exact for such an impact, and both are
 //! inverted by bisection to the last bit.
 //!
-//! **Plain damper** `F = k d + c d'`, never pulling: the contact ends where F vanishes, not where the overlap does. With
-//! `zeta = c/(2 sqrt(k m)) = sin phi`
+//! **Plain damper** `F = k d + c d'`, never pulling: the contact ends where F vanishes, not where the overlap does.
+//! With `zeta = c/(2 sqrt(k m)) = sin phi`
 //!
 //! ```text
 //! e = exp(-tan(phi) (pi - 2 phi)),        zeta <= 1
 //! e = exp(-2 psi coth(psi)),              zeta = cosh(psi) > 1
 //! ```
 //!
-//! (from x = v/w_d exp(-zeta w t) sin(w_d t) and x'' = 0 at w_d t = pi - 2 phi; both meet in e = exp(-2) at zeta = 1). For
-//! the spring of Hertz `F = k d^(3/2) + c d^(1/4) d'` is the same oscillator in `y = sqrt(4/5) d^(5/4)` and the time
-//! `d tau = (sqrt(5)/2) d^(1/4) dt`, also where F vanishes, with `c = 2 zeta sqrt(5 k m)/2`.
+//! (from x = v/w_d exp(-zeta w t) sin(w_d t) and x'' = 0 at w_d t = pi - 2 phi; both meet in e = exp(-2) at zeta = 1).
+//! For the spring of Hertz `F = k d^(3/2) + c d^(1/4) d'` is the same oscillator in `y = sqrt(4/5) d^(5/4)` and the
+//! time `d tau = (sqrt(5)/2) d^(1/4) dt`, also where F vanishes, with `c = 2 zeta sqrt(5 k m)/2`.
 //!
 //! **Hunt and Crossley** `F = k d^n (1 + a d')`, any n: `m v dv/(1 + a v) = -k d^n dd` gives with `y = a v`
 //!
@@ -23,16 +23,16 @@
 //!
 //! and not the usual `a = 3 (1 - e)/(2 v)`, which holds for small damping only.
 //!
-//! Sources: docs/REFERENCES.md, Hunt and Crossley; Schwager and Poeschel (end of a contact at vanishing force); Antypov and
-//! Elliott (Hertz's spring as a linear one). Symbols: e, zeta, y (no unit). How it fails: e = 0 would need damping
-//! beyond all bounds. [`Relation::number_for`] refuses what is below [`SMALLEST_RESTITUTION`]; [`Relation::reachable`] says what the
-//! strongest damping gives instead.
+//! Sources: docs/REFERENCES.md, Hunt and Crossley; Schwager and Poeschel (end of a contact at vanishing force); Antypov
+//! and Elliott (Hertz's spring as a linear one). Symbols: e, zeta, y (no unit). How it fails: e = 0 would need damping
+//! beyond all bounds. [`Relation::number_for`] refuses what is below [`SMALLEST_RESTITUTION`]; [`Relation::reachable`]
+//! says what the strongest damping gives instead.
 
 use super::SpringError;
 use std::f64::consts::PI;
 
-/// The smallest restitution that a damped spring is asked for (no unit, 1e-3 to 0.1): there the damper of a plain spring is five
-/// times critical; that of Hunt and Crossley all but stops the body within the first tenth of the depth.
+/// The smallest restitution that a damped spring is asked for (no unit, 1e-3 to 0.1): there the damper of a plain
+/// spring is five times critical; that of Hunt and Crossley all but stops the body within the first tenth of the depth.
 pub const SMALLEST_RESTITUTION: f64 = 0.01;
 
 /// How far a Hunt-Crossley number is kept from its bound 1/e, in units of that bound: closer to it the difference
@@ -142,8 +142,8 @@ const SERIES_BELOW: f64 = 1e-3;
 #[cfg(test)]
 #[allow(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
 mod tests {
-    //! The relations are inverses of each other, meet where they should, and are refused outside their range; integrating the
-    //! equation of motion reaches the same restitution.
+    //! The relations are inverses of each other, meet where they should, and are refused outside their range;
+    //! integrating the equation of motion reaches the same restitution.
     use super::*;
 
     #[test]

@@ -1,8 +1,8 @@
 //! Spring laws of contacts: forces that grow with the overlap of two bodies.
 //!
 //! A penalty method lets bodies overlap a little and pushes them apart by springs with dampers (thesis 3.1, "Penalty
-//! Methods"). Nothing in these laws is tuned: the damping follows from the coefficient of restitution, and what a spring
-//! takes up and gives back is known in closed form, so that the ledger of energy can close.
+//! Methods"). Nothing in these laws is tuned: the damping follows from the coefficient of restitution, and what a
+//! spring takes up and gives back is known in closed form, so that the ledger of energy can close.
 //!
 //! | module | holds |
 //! |---|---|
@@ -45,8 +45,8 @@ pub enum SpringError {
     },
     /// No damping of a spring reaches this restitution.
     #[error(
-        "a damped spring cannot reach a restitution of {value}: it gives back at least {SMALLEST_RESTITUTION} of the speed \
-         (a smaller one needs damping beyond all bounds) and at most 1; give a restitution of at least \
+        "a damped spring cannot reach a restitution of {value}: it gives back at least {SMALLEST_RESTITUTION} of the \
+         speed (a smaller one needs damping beyond all bounds) and at most 1; give a restitution of at least \
          {SMALLEST_RESTITUTION}, or use response = \"constraint\""
     )]
     Restitution {

@@ -7,9 +7,9 @@
 //!
 //! d is the overlap (m), d' its rate (m/s, positive while bodies approach), k the stiffness (N/m; Hertz N/m^(3/2)), c
 //! the coefficient of the damper (N s/m; Hertz N s/m^(5/4)), a that of Hunt and Crossley (s/m). A contact never pulls:
-//! where the sum is negative the force is zero. A law that a step has frozen is continued past that, and past the end of the
-//! overlap, as an odd function of d, so that it is as smooth there as within ([`NormalSpring::continued`]). Source: docs/REFERENCES.md, Hertz; Hunt and Crossley; Tsuji, Tanaka and
-//! Ishida. How it fails: never; NaN gives NaN.
+//! where the sum is negative the force is zero. A law that a step has frozen is continued past that, and past the end
+//! of the overlap, as an odd function of d, so that it is as smooth there as within ([`NormalSpring::continued`]).
+//! Source: docs/REFERENCES.md, Hertz; Hunt and Crossley; Tsuji, Tanaka and Ishida. How it fails: never; NaN gives NaN.
 
 use super::SpringError;
 
@@ -144,8 +144,8 @@ impl NormalSpring {
         if force < 0.0 { 0.0 } else { force }
     }
 
-    /// The force at an overlap (m) and its rate (m/s) as if the contact went on where bodies part and where the damper pulls, N: smooth
-    /// there, and not a force between bodies.
+    /// The force at an overlap (m) and its rate (m/s) as if the contact went on where bodies part and where the damper
+    /// pulls, N: smooth there, and not a force between bodies.
     pub fn continued(&self, depth: f64, rate: f64) -> f64 {
         let elastic = if depth < 0.0 { -self.elastic_force(-depth) } else { self.elastic_force(depth) };
         match self.damping {
@@ -187,8 +187,9 @@ impl NormalSpring {
         }
     }
 
-    /// The stiffness of this growth that stops a body with a kinetic energy (J) under a load (N) within `depth` (m): its energy there
-    /// is the kinetic one and the work of the load. Linear `2 (E + W d)/d^2`, Hertz `5 (E + W d)/(2 d^(5/2))`.
+    /// The stiffness of this growth that stops a body with a kinetic energy (J) under a load (N) within `depth` (m):
+    /// its energy there is the kinetic one and the work of the load. Linear `2 (E + W d)/d^2`, Hertz
+    /// `5 (E + W d)/(2 d^(5/2))`.
     pub fn stiffness_for(growth: Growth, depth: f64, load: f64, kinetic: f64) -> f64 {
         let energy = kinetic + load * depth;
         match growth {

@@ -1,11 +1,13 @@
-//! A body as sequential impulses know it: what an impulse does to it, its velocity, and how far it has come in this step.
+//! A body as sequential impulses know it: what an impulse does to it, its velocity, and how far it has come in this
+//! step.
 
 use super::lanes::{Lanes, Symmetric, Vectors, by_place};
 use polhode_spatial::{DMat3, DVec3};
 
 /// A body: its velocity is changed by impulses, its displacement by whoever integrates it.
 ///
-/// The inverse inertia is that at the start of the step, world axes. A body that no impulse moves has zero for both inverses.
+/// The inverse inertia is that at the start of the step, world axes. A body that no impulse moves has zero for both
+/// inverses.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[repr(C, align(64))]
 pub struct ImpulseBody {
@@ -76,7 +78,8 @@ impl ImpulseBody {
         (self.linear, self.angular) = (linear.to_array(), angular.to_array());
     }
 
-    /// Sets the mean of both velocities at the start and at the end of a substep: impulses of the substep do their work along it.
+    /// Sets the mean of both velocities at the start and at the end of a substep: impulses of the substep do their work
+    /// along it.
     pub fn set_mean_velocity(&mut self, linear: DVec3, angular: DVec3) {
         (self.mean_linear, self.mean_angular) = (linear.to_array(), angular.to_array());
     }
@@ -86,8 +89,8 @@ impl ImpulseBody {
         (DVec3::from_array(self.mean_linear), DVec3::from_array(self.mean_angular))
     }
 
-    /// Sets how far the centre of mass has come since the start of the step (m), and how far the body has turned (rotation
-    /// vector, rad).
+    /// Sets how far the centre of mass has come since the start of the step (m), and how far the body has turned
+    /// (rotation vector, rad).
     pub fn set_displacement(&mut self, moved: DVec3, turned: DVec3) {
         (self.moved, self.turned) = (moved.to_array(), turned.to_array());
     }

@@ -1,9 +1,9 @@
 //! Colours of manifolds: no two of one colour move the same body, so that four of them can be solved side by side.
 //!
-//! Each manifold gets the first colour that none before it at the same bodies has (greedy, Welsh and Powell 1967). The colour
-//! depends only on the manifolds that are connected with it, so that bodies apart do not change it. Manifolds with an immovable
-//! body get their colours from a place of their own: they are solved last, since nothing that they lean on gives way. A body with more
-//! manifolds than colours has the others solved one after the other.
+//! Each manifold gets the first colour that none before it at the same bodies has (greedy, Welsh and Powell 1967). The
+//! colour depends only on the manifolds that are connected with it, so that bodies apart do not change it. Manifolds
+//! with an immovable body get their colours from a place of their own: they are solved last, since nothing that they
+//! lean on gives way. A body with more manifolds than colours has the others solved one after the other.
 
 /// Colours of manifolds between two movable bodies.
 pub(super) const BETWEEN_MOVABLE: u32 = 44;
@@ -55,8 +55,8 @@ impl Colours {
 mod tests {
     use super::*;
 
-    /// A chain of bodies needs two colours, a contact with the ground one of the others; a body with a hundred contacts has no
-    /// colour left for the last ones.
+    /// A chain of bodies needs two colours, a contact with the ground one of the others; a body with a hundred contacts
+    /// has no colour left for the last ones.
     #[test]
     fn neighbours_differ() {
         let mut colours = Colours::default();

@@ -1,4 +1,5 @@
-//! Nonsmooth nonlinear conjugate gradients over sweeps: several sweeps of a relax stage, each followed by a step along the way of the last ones.
+//! Nonsmooth nonlinear conjugate gradients over sweeps: several sweeps of a relax stage, each followed by a step along
+//! the way of the last ones.
 //!
 //! With `p_k` (N s) the impulses before a sweep, `S` the sweep, and `g_k = S(p_k) - p_k`,
 //!
@@ -7,9 +8,10 @@
 //! b > 1:  p_(k+1) = S(p_k),  d_k = 0    (start again: the law is not smooth there)
 //! ```
 //!
-//! The last sweep has no step after it, so that impulses obey the law at their points. The velocities of the bodies take what the steps add. Sums of squares are
-//! by lanes and then in order, so that bits do not depend on the width. Source: Silcowitz, Niebe and Erleben 2010, docs/REFERENCES.md. Assumption:
-//! impulses of one scene have one scale. Failure: none: where steps do not help, `b > 1` leaves the plain sweeps.
+//! The last sweep has no step after it, so that impulses obey the law at their points. The velocities of the bodies
+//! take what the steps add. Sums of squares are by lanes and then in order, so that bits do not depend on the width.
+//! Source: Silcowitz, Niebe and Erleben 2010, docs/REFERENCES.md. Assumption: impulses of one scene have one scale.
+//! Failure: none: where steps do not help, `b > 1` leaves the plain sweeps.
 
 use super::batch::{Batch, PointRows};
 use super::body::{Gathered, ImpulseBody};

@@ -1,16 +1,18 @@
-//! Coulomb's friction at the points of a patch: one law for sweeps and bounces, which reads the impulses that it is asked for.
+//! Coulomb's friction at the points of a patch: one law for sweeps and bounces, which reads the impulses that it is
+//! asked for.
 //!
-//! A sweep bounds the friction of its substep by the normal impulses of the substep, a bounce that of the whole step by those of the whole
-//! step. `known` gives the three impulses of a point (along the normal and both tangents, N s) in its rows. What the law is stands in `sweep`.
+//! A sweep bounds the friction of its substep by the normal impulses of the substep, a bounce that of the whole step by
+//! those of the whole step. `known` gives the three impulses of a point (along the normal and both tangents, N s) in
+//! its rows. What the law is stands in `sweep`.
 
 use super::batch::{Batch, PointRows};
 use super::lanes::{Four, Lanes, by_place};
 use super::patch::{Block, Relative, Wrench, place};
 
-/// Brings the impulses of friction at all points of a patch to the law whose bodies move like this; the wrench takes what they change by.
-/// First those of least norm under which no point
-/// slips; of a patch where one of them is beyond its disc, a step of each point against its own slip, by its share. `of_lanes` keeps the changes of the
-/// lanes that may change.
+/// Brings the impulses of friction at all points of a patch to the law whose bodies move like this; the wrench takes
+/// what they change by. First those of least norm under which no point
+/// slips; of a patch where one of them is beyond its disc, a step of each point against its own slip, by its share.
+/// `of_lanes` keeps the changes of the lanes that may change.
 #[inline(always)]
 pub(super) fn rub_together<L: Lanes, const N: usize>(
     rows: &mut [PointRows; N],
@@ -63,8 +65,8 @@ pub(super) fn rub<L: Lanes>(row: &mut PointRows, part: usize, coefficient: L, sl
     change
 }
 
-/// By what the impulse of friction at a point with these impulses and this slip changes, under that along the normal and by
-/// `rho`.
+/// By what the impulse of friction at a point with these impulses and this slip changes, under that along the normal
+/// and by `rho`.
 #[inline(always)]
 fn rubbed<L: Lanes>(known: &[Four; 3], part: usize, (coefficient, rho): (L, L), [slip_x, slip_y]: [L; 2]) -> [L; 2] {
     let (before_x, before_y) = (L::load(&known[1], part), L::load(&known[2], part));

@@ -1,7 +1,8 @@
 //! Joints in batches of four, side by side in memory, and what the lanes do with them.
 //!
-//! Joints of one colour, of one law and with as many rows are a batch; lanes without one are of the immovable body 0 and of no effect. For each lane, with
-//! the rows `J` (force `f` on A, `-f` on B, moments `m_A`, `m_B`), their gaps `g` (m), and the softness `a`, `b`, `c`,
+//! Joints of one colour, of one law and with as many rows are a batch; lanes without one are of the immovable body 0
+//! and of no effect. For each lane, with the rows `J` (force `f` on A, `-f` on B, moments `m_A`, `m_B`), their gaps `g`
+//! (m), and the softness `a`, `b`, `c`,
 //!
 //! ```text
 //! u = f.(v_A - v_B) + m_A.w_A + m_B.w_B           m/s
@@ -9,7 +10,8 @@
 //! l <- l - a K^-1 (u + b g) - c l                 N s
 //! ```
 //!
-//! Every number of rows has a kernel of its own. Sources: Golub and Van Loan 4.1 (the factors), Catto 2024 (soft constraints, lanes), docs/REFERENCES.md.
+//! Every number of rows has a kernel of its own. Sources: Golub and Van Loan 4.1 (the factors), Catto 2024 (soft
+//! constraints, lanes), docs/REFERENCES.md.
 
 use super::body::{Gathered, ImpulseBody, Twist};
 use super::joint::{JointLaw, JointRow, MOST_JOINT_ROWS};
@@ -278,7 +280,8 @@ fn solved<L: Lanes, const N: usize>(rows: &[LaneRow; N], mut x: [L; N], part: us
     x
 }
 
-/// Brings a batch to its laws. Its work along the mean of the velocities before and after each of its impulses is added to `work`.
+/// Brings a batch to its laws. Its work along the mean of the velocities before and after each of its impulses is added
+/// to `work`.
 pub(super) fn solve<L: Lanes>(bodies: &mut [ImpulseBody], of: Rows<'_>, (rule, work): (&SweepRule, &mut Four)) {
     run::<L>(of, &mut Solve { bodies, rule, work });
 }

@@ -1,7 +1,7 @@
 //! Trees of joints, solved at once: what a load hangs on holds, whatever it weighs and however long the chain is.
 //!
-//! Sweeps bring a load along a chain joint by joint, and a heavy body on light links needs as many of them as its mass is
-//! larger. So the joints that close no loop are
+//! Sweeps bring a load along a chain joint by joint, and a heavy body on light links needs as many of them as its mass
+//! is larger. So the joints that close no loop are
 //! eliminated from the leaves to the roots, at a cost that is linear in them. With the velocities `v` of the bodies (6
 //! numbers each), their inverse masses `F`
 //! (6 x 6), and the rows `C` (child) and `P` (parent) of a joint,
@@ -12,22 +12,22 @@
 //! and back from the roots:     l = -S^-1 (C v_c + P v_p + b g),    v_c <- v_c + F_c C^T l
 //! ```
 //!
-//! `D` is the diagonal of `J M^-1 J^T` of the joint alone; `e D` ([`PROXIMAL_OF_JOINTS`]) holds the change of multipliers small where
-//! rows depend on each other. The bodies
-//! take the impulses `J^T l` of all joints, so that momentum is kept to rounding. Joints that close loops, and limits, are
-//! solved in turns with the trees, in lanes.
+//! `D` is the diagonal of `J M^-1 J^T` of the joint alone; `e D` ([`PROXIMAL_OF_JOINTS`]) holds the change of
+//! multipliers small where rows depend on each other. The bodies
+//! take the impulses `J^T l` of all joints, so that momentum is kept to rounding. Joints that close loops, and limits,
+//! are solved in turns with the trees, in lanes.
 //!
 //! Sources: Featherstone 1983 and 2008, chapter 7 (articulated bodies), Baraff 1996; the updates of `F` are those of
 //! Kalman's filter. docs/REFERENCES.md.
-//! Assumption: inverse masses are those of the start of the step. Failure: `F` is found by differences, so that a ratio of
-//! masses of 1e6 costs six digits.
+//! Assumption: inverse masses are those of the start of the step. Failure: `F` is found by differences, so that a ratio
+//! of masses of 1e6 costs six digits.
 
 use super::body::ImpulseBody;
 use super::joint::{ImpulseJoint, JointLaw, JointRow, MOST_JOINT_ROWS};
 use polhode_spatial::{DVec3, DisjointSets};
 
-/// What holds the change of multipliers small, relative to the diagonal (no unit, 1e-10 to 1e-6): half of the digits, and
-/// less than the inverse of a ratio of masses of 1e6.
+/// What holds the change of multipliers small, relative to the diagonal (no unit, 1e-10 to 1e-6): half of the digits,
+/// and less than the inverse of a ratio of masses of 1e6.
 const PROXIMAL_OF_JOINTS: f64 = 1e-8;
 
 /// A pivot below this part of the diagonal is rounding (no unit, 1e-14 to 1e-10).
@@ -188,8 +188,8 @@ impl JointTrees {
         }
     }
 
-    /// Brings all joints to their laws at once, gaps closing at `closing(gap)` (m/s), and gives the bodies the impulses.
-    /// Returns what each joint has got.
+    /// Brings all joints to their laws at once, gaps closing at `closing(gap)` (m/s), and gives the bodies the
+    /// impulses. Returns what each joint has got.
     pub(super) fn solve(&mut self, bodies: &mut [ImpulseBody], closing: impl Fn(f64) -> f64) -> &[Given] {
         self.given.clear();
         if self.is_empty() {
@@ -303,7 +303,8 @@ fn add(to: &mut Coordinates, lines: &Lines, factors: &Coordinates, sign: f64, co
     }
 }
 
-/// `L D L^T` of a matrix in its lower triangle: `L` below the diagonal, on it the inverse of `D`; zero where a pivot is rounding.
+/// `L D L^T` of a matrix in its lower triangle: `L` below the diagonal, on it the inverse of `D`; zero where a pivot is
+/// rounding.
 fn factor(matrix: &mut Lines, size: usize) {
     for i in 0..size {
         let diagonal = matrix[i][i];

@@ -1,12 +1,13 @@
-//! Bounces of bodies that joints hold: what a contact gives one of them the joints pass on, so that it parts more slowly than it would alone, and
-//! the law of its impact is that of all of them together.
+//! Bounces of bodies that joints hold: what a contact gives one of them the joints pass on, so that it parts more
+//! slowly than it would alone, and the law of its impact is that of all of them together.
 //!
-//! The bodies that joints connect are an assembly. Where a single point presses on it, its impact is resolved as that of one contact (`lone_bounce`),
-//! with the matrix `K` (1/kg) of what an impulse at the point does to its velocity while the joints hold: three unit impulses, each followed by
-//! the joints. Where several points press, contacts and joints come to their laws in turns, until neither does much any more.
+//! The bodies that joints connect are an assembly. Where a single point presses on it, its impact is resolved as that
+//! of one contact (`lone_bounce`), with the matrix `K` (1/kg) of what an impulse at the point does to its velocity
+//! while the joints hold: three unit impulses, each followed by the joints. Where several points press, contacts and
+//! joints come to their laws in turns, until neither does much any more.
 //!
-//! Assumption: of joints that close loops, and of limits, `K` knows nothing; assemblies with such a joint take turns. Failure: large ratios of masses need
-//! more turns than there are, where an assembly is struck at several points.
+//! Assumption: of joints that close loops, and of limits, `K` knows nothing; assemblies with such a joint take turns.
+//! Failure: large ratios of masses need more turns than there are, where an assembly is struck at several points.
 
 use super::SequentialImpulses;
 use super::batch::{Batch, Batches, PointRows};
@@ -72,8 +73,9 @@ impl Site {
 }
 
 impl JointImpulses {
-    /// Gives colliding contacts the impulses by which they part again, at the end of a step whose totals are complete, while the joints hold.
-    /// By the first rule contacts collide, by the second one the joints hold. Returns the works of all; those of joints are of the collision.
+    /// Gives colliding contacts the impulses by which they part again, at the end of a step whose totals are complete,
+    /// while the joints hold. By the first rule contacts collide, by the second one the joints hold. Returns the works
+    /// of all; those of joints are of the collision.
     pub fn bounce(&mut self, solver: &mut SequentialImpulses, [soft, relax]: [&SweepRule; 2]) -> Works {
         let mut all = Works::default();
         let colliding = soft.colliding;
@@ -172,7 +174,8 @@ impl JointImpulses {
         pressing.into_iter().map(|(point, _)| point).collect()
     }
 
-    /// What unit impulses along the axes of each point do to its velocity while the joints hold, 1/kg. No two points are of one assembly.
+    /// What unit impulses along the axes of each point do to its velocity while the joints hold, 1/kg. No two points
+    /// are of one assembly.
     fn matrices(&mut self, solver: &SequentialImpulses, points: &[Point]) -> Vec<[[f64; 3]; 3]> {
         let mut still = solver.bodies.clone();
         for body in &mut still {

@@ -1,7 +1,7 @@
 //! Joints among sequential impulses: what holds two bodies by rows of either sign, and limits that push.
 //!
-//! Joints that close no loop are solved at once, as trees (`joint_trees`). Of limits, and of joints that close loops, the
-//! rows of each (up to six) are solved together,
+//! Joints that close no loop are solved at once, as trees (`joint_trees`). Of limits, and of joints that close loops,
+//! the rows of each (up to six) are solved together,
 //! by the factors of their own matrix. With the rates `u = J v` of its rows (m/s), their gaps `g`
 //! (m), and the softness `a`, `b`, `c` of a sweep ([`SweepRule::with_fixed`]),
 //!
@@ -10,15 +10,16 @@
 //! a limit: l <- max(0, ...), and where it is apart by s > 0: a = 1, b s = s / h, c = 0
 //! ```
 //!
-//! Joints that move no body together have one colour, and four of a colour with as many rows are solved side by side (`joint_batch`). Batches and
-//! sums do not depend on the width of the lanes, so that the bits do not.
+//! Joints that move no body together have one colour, and four of a colour with as many rows are solved side by side
+//! (`joint_batch`). Batches and sums do not depend on the width of the lanes, so that the bits do not.
 //!
-//! Rows are given anew whenever the bodies have moved. What a joint has given its bodies in a substep is summed as it was given, and its work is
-//! that along the mean velocities. At the start of the next substep its multipliers act again, along the present rows: the impulses of before, along
-//! rows of before, would drive a body that turns about the joint. Sources: Catto 2005, Catto 2024 (soft constraints), docs/REFERENCES.md.
+//! Rows are given anew whenever the bodies have moved. What a joint has given its bodies in a substep is summed as it
+//! was given, and its work is that along the mean velocities. At the start of the next substep its multipliers act
+//! again, along the present rows: the impulses of before, along rows of before, would drive a body that turns about the
+//! joint. Sources: Catto 2005, Catto 2024 (soft constraints), docs/REFERENCES.md.
 //!
-//! Failure: rows that depend on each other within one joint are left out, one of them; joints that contradict each other
-//! share the error; loops and limits with large ratios
+//! Failure: rows that depend on each other within one joint are left out, one of them; joints that contradict each
+//! other share the error; loops and limits with large ratios
 //! of masses need more rounds than there are.
 
 use super::body::ImpulseBody;
@@ -33,11 +34,13 @@ use super::{LaneWidth, SequentialImpulses};
 use polhode_spatial::DVec3;
 use wide::{f64x2, f64x4};
 
-/// How often a sweep goes over all joints at most, forth and back in turn (8 to 64). Where nothing has been struck two rounds or three do, since the
-/// impulses of the substep before are those of the present one but for the order of its length; where a limit is, as many as it takes.
+/// How often a sweep goes over all joints at most, forth and back in turn (8 to 64). Where nothing has been struck two
+/// rounds or three do, since the impulses of the substep before are those of the present one but for the order of its
+/// length; where a limit is, as many as it takes.
 const MOST_JOINT_ROUNDS: usize = 16;
 
-/// Kinds of batches of one colour: limits, and joints by their number of rows, those that close loops and those of trees.
+/// Kinds of batches of one colour: limits, and joints by their number of rows, those that close loops and those of
+/// trees.
 const KINDS: usize = 1 + 2 * MOST_JOINT_ROWS;
 
 /// An impulse on a body: force part (N s), and moment about its centre of mass (N m s).
@@ -158,7 +161,8 @@ impl JointImpulses {
         }
     }
 
-    /// Gives a joint its rows in the present poses. Rows that it has beside those given hold nothing. [`Self::factor`] follows.
+    /// Gives a joint its rows in the present poses. Rows that it has beside those given hold nothing. [`Self::factor`]
+    /// follows.
     pub fn set_rows(&mut self, number: usize, rows: &[JointRow]) {
         let Some(Place { batch, lane }) = self.places.get(number).copied() else { return };
         let JointBatch { first, count, .. } = self.batches[batch as usize];
@@ -187,8 +191,8 @@ impl JointImpulses {
         own.iter_mut().zip(multipliers).for_each(|(row, own)| row.multiplier.0[lane as usize] = own);
     }
 
-    /// Starts a substep: takes back what the joints gave in the one before, which has acted on the velocities again, and gives their multipliers
-    /// along the present rows.
+    /// Starts a substep: takes back what the joints gave in the one before, which has acted on the velocities again,
+    /// and gives their multipliers along the present rows.
     pub fn start(&mut self, solver: &mut SequentialImpulses) {
         for batch in &mut self.batches {
             let rows = &mut self.rows[batch.first as usize..(batch.first + batch.count) as usize];
@@ -196,8 +200,8 @@ impl JointImpulses {
         }
     }
 
-    /// Brings all joints to their laws: limits and joints that close loops in rounds forth and back, each followed by the trees, until a round does little
-    /// of what the largest has done.
+    /// Brings all joints to their laws: limits and joints that close loops in rounds forth and back, each followed by
+    /// the trees, until a round does little of what the largest has done.
     pub fn sweep(&mut self, solver: &mut SequentialImpulses, rule: &SweepRule) {
         self.sweep_by_rounds(solver, rule, |_, _| 0.0);
     }
@@ -317,8 +321,9 @@ fn rounds_of(round: usize, batches: usize) -> impl Iterator<Item = usize> {
 
 #[cfg(test)]
 mod tests {
-    //! A ball joint and a hinge stop the motion that they hold, at once; a limit pushes and does not pull; the work is the change of energy. Joints of all
-    //! numbers of rows side by side obey their laws, with the same bits for two and four lanes.
+    //! A ball joint and a hinge stop the motion that they hold, at once; a limit pushes and does not pull; the work is
+    //! the change of energy. Joints of all numbers of rows side by side obey their laws, with the same bits for two and
+    //! four lanes.
     use super::super::sweep::Softness;
     use super::*;
     use polhode_spatial::{DMat3, SplitMix64};
@@ -439,7 +444,8 @@ mod tests {
         assert!(of(LaneWidth::Two) == of(LaneWidth::Four));
     }
 
-    /// After many sweeps every joint holds, those of a body with more joints than colours too; what the joints gave is what changed the bodies.
+    /// After many sweeps every joint holds, those of a body with more joints than colours too; what the joints gave is
+    /// what changed the bodies.
     #[test]
     fn joints_side_by_side_obey_their_laws() {
         for width in [LaneWidth::Two, LaneWidth::Four] {

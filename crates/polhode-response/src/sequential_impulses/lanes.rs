@@ -1,8 +1,8 @@
 //! Numbers side by side: what one instruction does to two or four contacts at once.
 //!
-//! Rows are stored in fours ([`Four`]); a kernel works on them in parts of as many lanes as the type has. Every operation is one of
-//! IEEE 754 on each lane for itself (no fused multiplication, no sum across lanes), so that the bits are the same for every width
-//! and on every platform. Source: docs/REFERENCES.md, Catto 2024 (wide contacts).
+//! Rows are stored in fours ([`Four`]); a kernel works on them in parts of as many lanes as the type has. Every
+//! operation is one of IEEE 754 on each lane for itself (no fused multiplication, no sum across lanes), so that the
+//! bits are the same for every width and on every platform. Source: docs/REFERENCES.md, Catto 2024 (wide contacts).
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 use wide::{f64x2, f64x4};
@@ -15,8 +15,8 @@ pub(super) const FOUR: usize = 4;
 #[repr(C, align(32))]
 pub(super) struct Four(pub(super) [f64; FOUR]);
 
-/// An array whose entries are found by their places, in registers: the standard one makes a call for each entry of a large
-/// kernel. `none` fills it before.
+/// An array whose entries are found by their places, in registers: the standard one makes a call for each entry of a
+/// large kernel. `none` fills it before.
 #[inline(always)]
 pub(super) fn by_place<T: Copy, const N: usize>(none: T, mut of: impl FnMut(usize) -> T) -> [T; N] {
     let mut all = [none; N];

@@ -1,10 +1,11 @@
-//! The bounce of a patch that was struck at one point: the impact with friction of its bodies alone, followed along its normal impulse (Routh, Stronge), so that slip
-//! stops, turns and reverses as in the other tiers.
+//! The bounce of a patch that was struck at one point: the impact with friction of its bodies alone, followed along its
+//! normal impulse (Routh, Stronge), so that slip stops, turns and reverses as in the other tiers.
 //!
-//! What the sweeps of the step have done at the point is what stops it, inelastically and all at once. So the velocity without it is
-//! `u_0 = u - K p` with the impulse `p` of the whole step, along the normal that at the start of the step; the impact from `u_0` is resolved
-//! (`crate::impact::friction`), and the impulses become those which leave its velocity. Other contacts of the bodies are as they are: of several that are struck
-//! at once each bounces in its turn. Failure: an impact that is not resolved leaves the impulses as they are.
+//! What the sweeps of the step have done at the point is what stops it, inelastically and all at once. So the velocity
+//! without it is `u_0 = u - K p` with the impulse `p` of the whole step, along the normal that at the start of the
+//! step; the impact from `u_0` is resolved (`crate::impact::friction`), and the impulses become those which leave its
+//! velocity. Other contacts of the bodies are as they are: of several that are struck at once each bounces in its turn.
+//! Failure: an impact that is not resolved leaves the impulses as they are.
 
 use super::batch::{Batch, PointRows};
 use crate::impact::friction::{CollisionMatrix, RestitutionLaw, SingleFrictionalImpact};
@@ -18,7 +19,8 @@ pub(super) struct Bounce {
     pub(super) works: [f64; 2],
 }
 
-/// The bounce of a point whose bodies move like this (m/s, along the normal and both tangents). None where it does not part again.
+/// The bounce of a point whose bodies move like this (m/s, along the normal and both tangents). None where it does not
+/// part again.
 pub(super) fn bounce(batch: &Batch, row: &PointRows, lane: usize, now: [f64; 3]) -> Option<Bounce> {
     bounce_with(collision_matrix(batch, row, lane)?, (batch, row, lane), now)
 }

@@ -1,16 +1,17 @@
 //! Sequential impulses over contacts of many bodies, four side by side: the hot part of a step in real time.
 //!
-//! A step is divided into substeps. In each of them impulses are known to begin with (those of the substep before), and one sweep over
-//! all contacts brings each point to its law while overlaps are pushed apart softly; then whoever calls moves the bodies, and another sweep
-//! without the push takes its velocity out again ([`SweepRule`]). Restitution follows once at the end.
+//! A step is divided into substeps. In each of them impulses are known to begin with (those of the substep before), and
+//! one sweep over all contacts brings each point to its law while overlaps are pushed apart softly; then whoever calls
+//! moves the bodies, and another sweep without the push takes its velocity out again ([`SweepRule`]). Restitution
+//! follows once at the end.
 //!
-//! Contacts of one normal are a manifold ([`ImpulseManifold`]); manifolds that move no body together have a colour and are solved
-//! side by side. Batches, colours and sums do not depend on the width of the lanes, so that the bits do not.
+//! Contacts of one normal are a manifold ([`ImpulseManifold`]); manifolds that move no body together have a colour and
+//! are solved side by side. Batches, colours and sums do not depend on the width of the lanes, so that the bits do not.
 //!
-//! Sources: Catto 2024 (soft steps, wide contacts), Catto 2005 (sequential impulses), docs/REFERENCES.md. Symbols: `p` impulse, N s; `u`
-//! relative velocity of A to B at a point, m/s; `K` inverse mass of a point, 1/kg; `mu` friction; `h` length of a substep, s.
-//! Assumption: rows do not change within a step, displacements are small against the arms. Failure: nothing is refused; numbers that
-//! are not finite stay so.
+//! Sources: Catto 2024 (soft steps, wide contacts), Catto 2005 (sequential impulses), docs/REFERENCES.md. Symbols: `p`
+//! impulse, N s; `u` relative velocity of A to B at a point, m/s; `K` inverse mass of a point, 1/kg; `mu` friction; `h`
+//! length of a substep, s. Assumption: rows do not change within a step, displacements are small against the arms.
+//! Failure: nothing is refused; numbers that are not finite stay so.
 //!
 //! | module | holds |
 //! |---|---|
@@ -181,8 +182,8 @@ impl SequentialImpulses {
         }
     }
 
-    /// Gives the impulses that are known, at the start of a step. Those of its later substeps are known by bodies: as long as rows do not
-    /// change, they change the velocities by as much as in the substep before.
+    /// Gives the impulses that are known, at the start of a step. Those of its later substeps are known by bodies: as
+    /// long as rows do not change, they change the velocities by as much as in the substep before.
     pub fn warm_start(&mut self) {
         let Batches { list: batches, points, .. } = &self.batches;
         match self.width {
@@ -191,13 +192,15 @@ impl SequentialImpulses {
         }
     }
 
-    /// Gives colliding contacts the impulses by which they part again, at the end of a step whose totals are complete; where they have no restitution,
-    /// those of the path of their slip. Where there are joints, [`JointImpulses::bounce`] takes its place.
+    /// Gives colliding contacts the impulses by which they part again, at the end of a step whose totals are complete;
+    /// where they have no restitution, those of the path of their slip. Where there are joints,
+    /// [`JointImpulses::bounce`] takes its place.
     pub fn restitute(&mut self, rule: &SweepRule) -> Works {
         self.part_again(rule.colliding, &[], false)
     }
 
-    /// The same where joints hold some of the bodies, and where those that are struck at one point alone may have bounced already.
+    /// The same where joints hold some of the bodies, and where those that are struck at one point alone may have
+    /// bounced already.
     fn part_again(&mut self, colliding: f64, jointed: &[bool], has_begun: bool) -> Works {
         if !self.has_collided(colliding) {
             return Works::default();
@@ -217,7 +220,8 @@ impl SequentialImpulses {
         batches.iter().any(|batch| stages::may_bounce(batch, points, colliding))
     }
 
-    /// One sweep over all contacts. Returns the works that it has booked: those of the substep before where it begins a later one.
+    /// One sweep over all contacts. Returns the works that it has booked: those of the substep before where it begins a
+    /// later one.
     pub fn sweep(&mut self, stage: SweepStage, order: SweepOrder, rule: &SweepRule) -> Works {
         let sweep = Sweep { stage, order, rule, between: self.batches.between };
         let Batches { list: batches, points, .. } = &mut self.batches;
@@ -227,7 +231,8 @@ impl SequentialImpulses {
         }
     }
 
-    /// So many sweeps after a movement of the bodies, with steps of conjugate gradients between them (`conjugate`); one sweep is [`Self::sweep`].
+    /// So many sweeps after a movement of the bodies, with steps of conjugate gradients between them (`conjugate`); one
+    /// sweep is [`Self::sweep`].
     pub fn sweep_conjugate(&mut self, sweeps: u32, order: SweepOrder, rule: &SweepRule) {
         if sweeps <= 1 {
             self.sweep(SweepStage::Moved, order, rule);
@@ -258,7 +263,8 @@ impl SequentialImpulses {
         }
     }
 
-    /// Ends the last substep: its impulses are added to those of the step. Returns what they did along the mean velocities of the bodies.
+    /// Ends the last substep: its impulses are added to those of the step. Returns what they did along the mean
+    /// velocities of the bodies.
     pub fn end_substep(&mut self, rule: &SweepRule) -> Works {
         let Batches { list: batches, points, .. } = &mut self.batches;
         match self.width {
@@ -294,8 +300,8 @@ impl SequentialImpulses {
 
 #[cfg(test)]
 mod tests {
-    //! Two and four lanes give the same bits; four bodies side by side, and many contacts of one body, obey the law; the works are the change of
-    //! energy.
+    //! Two and four lanes give the same bits; four bodies side by side, and many contacts of one body, obey the law;
+    //! the works are the change of energy.
     use super::*;
     use polhode_spatial::{DMat3, DVec3, SplitMix64};
 
@@ -424,8 +430,8 @@ mod tests {
         solver
     }
 
-    /// On a tall stack, at equal sweeps, conjugate gradients leave a smaller residual than plain sweeps; with one sweep they are one, and the width
-    /// changes no bit.
+    /// On a tall stack, at equal sweeps, conjugate gradients leave a smaller residual than plain sweeps; with one sweep
+    /// they are one, and the width changes no bit.
     #[test]
     fn conjugate_gradients_come_nearer_to_the_law_than_plain_sweeps() {
         let rule = SweepRule { between: Softness::RIGID, with_fixed: Softness::RIGID, ..RULE };
@@ -447,8 +453,9 @@ mod tests {
         assert_eq!(one.bodies, other.bodies);
     }
 
-    /// In both orders a falling chain of points stands on the ground after a sweep: contacts with what does not move are the last ones. The contacts between
-    /// points change places: onward the lower one is solved first, back the upper one.
+    /// In both orders a falling chain of points stands on the ground after a sweep: contacts with what does not move
+    /// are the last ones. The contacts between points change places: onward the lower one is solved first, back the
+    /// upper one.
     #[test]
     fn a_sweep_back_turns_the_order_of_contacts_between_bodies_that_move() {
         let rule = SweepRule { between: Softness::RIGID, with_fixed: Softness::RIGID, ..RULE };
@@ -472,7 +479,8 @@ mod tests {
             solver.sweep(SweepStage::First, order, &rule);
             [1, 2, 3].map(|body| solver.body(body).linear().z)
         };
-        // At -1, -2 and -4 m/s: the lower pair comes to -1.5, then the upper one to -2.75; or the upper one to -3, then the lower one to -2.
+        // At -1, -2 and -4 m/s: the lower pair comes to -1.5, then the upper one to -2.75; or the upper one to -3, then
+        // the lower one to -2.
         assert_eq!(of(ONWARD), [0.0, -2.75, -2.75]);
         assert_eq!(of(SweepOrder::Back), [0.0, -2.0, -3.0]);
     }

@@ -1,7 +1,8 @@
-//! A patch of contacts in coordinates of its own: six numbers say how its bodies move relative to each other at its centre, and a matrix of
-//! six by six what impulses there do to them.
+//! A patch of contacts in coordinates of its own: six numbers say how its bodies move relative to each other at its
+//! centre, and a matrix of six by six what impulses there do to them.
 //!
-//! With the centre `c` of the patch, its normal `n` and tangents `t_1`, `t_2` (world), and of each body the velocity of the point at `c`,
+//! With the centre `c` of the patch, its normal `n` and tangents `t_1`, `t_2` (world), and of each body the velocity of
+//! the point at `c`,
 //!
 //! ```text
 //! N = (n.u, t_1.w, t_2.w)      T = (t_1.u, t_2.u, n.w)            u = u_A - u_B (m/s), w = w_A - w_B (rad/s)
@@ -9,13 +10,13 @@
 //!                                      slip                (T_0 - y T_2, T_1 + x T_2)
 //! ```
 //!
-//! An impulse along the normal has parts in `N` alone, `(p, y p, -x p)`, and one of friction in `T` alone, `(p_1, p_2, x p_2 - y p_1)`. The matrix
-//! `K = J M^-1 J^T` (1/kg, 1/(kg m), 1/(kg m^2)) has the blocks `K_NN`, `K_TT` and `K_TN`: with them the points of a patch are solved one after the
-//! other without a look at the bodies, whose velocities take the sum at the end. Source: algebra; the law at each point is that of single
-//! contacts.
+//! An impulse along the normal has parts in `N` alone, `(p, y p, -x p)`, and one of friction in `T` alone,
+//! `(p_1, p_2, x p_2 - y p_1)`. The matrix `K = J M^-1 J^T` (1/kg, 1/(kg m), 1/(kg m^2)) has the blocks `K_NN`, `K_TT`
+//! and `K_TN`: with them the points of a patch are solved one after the other without a look at the bodies, whose
+//! velocities take the sum at the end. Source: algebra; the law at each point is that of single contacts.
 //!
-//! Assumption: the points of a patch lie in the plane of its centre. Those that are apart along the normal act with their friction at the height of
-//! the point with the least separation.
+//! Assumption: the points of a patch lie in the plane of its centre. Those that are apart along the normal act with
+//! their friction at the height of the point with the least separation.
 
 use super::batch::{Batch, Blocks};
 use super::body::{Gathered, Twist};
@@ -207,7 +208,8 @@ impl<L: Lanes> Rows<L> {
 
 /// Finds the blocks of a patch of these bodies.
 ///
-/// `K = sum J M^-1 J^T` over both bodies, with the rows `(e, r x e)` along an axis `e` at the arm `r`, and `(0, e)` about it.
+/// `K = sum J M^-1 J^T` over both bodies, with the rows `(e, r x e)` along an axis `e` at the arm `r`, and `(0, e)`
+/// about it.
 #[inline(always)]
 pub(super) fn find_blocks<L: Lanes>(
     frame: &Frame<L>,

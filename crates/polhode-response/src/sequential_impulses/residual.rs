@@ -1,8 +1,8 @@
-//! How far impulses and velocities are from Coulomb's law with Signorini's condition: the natural map that all solvers of this crate are judged by
-//! (`friction/coulomb_cone.rs`), in lanes.
+//! How far impulses and velocities are from Coulomb's law with Signorini's condition: the natural map that all solvers
+//! of this crate are judged by (`friction/coulomb_cone.rs`), in lanes.
 //!
-//! `|p - P_K(p - rho u')| / rho` with `u' = u + (max(s, 0) / h + mu |u_t|) n`: a contact that is apart may close by as much as its
-//! separation. In units of velocity.
+//! `|p - P_K(p - rho u')| / rho` with `u' = u + (max(s, 0) / h + mu |u_t|) n`: a contact that is apart may close by as
+//! much as its separation. In units of velocity.
 
 use super::batch::{Batch, PointRows};
 use super::body::{Gathered, ImpulseBody};

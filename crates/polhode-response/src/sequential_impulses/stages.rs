@@ -1,5 +1,5 @@
-//! What happens to contacts before, between and after the sweeps, in lanes: their masses, the start from known impulses, restitution,
-//! and the totals of a step.
+//! What happens to contacts before, between and after the sweeps, in lanes: their masses, the start from known
+//! impulses, restitution, and the totals of a step.
 
 use super::batch::{Batch, PointRows};
 use super::body::{Gathered, ImpulseBody};
@@ -76,10 +76,12 @@ pub(super) fn warm_start<L: Lanes>(bodies: &mut [ImpulseBody], batches: &[Batch]
     }
 }
 
-/// Most passes over contacts that collided (8 to 64): friction of a bounce changes the speed at which it parts, and that of its neighbours.
+/// Most passes over contacts that collided (8 to 64): friction of a bounce changes the speed at which it parts, and
+/// that of its neighbours.
 pub(super) const MOST_BOUNCES: usize = 16;
 
-/// Passes end with one that does less than this part of what the largest has done (no unit, 1e-6 to 1e-2): a part of the energy of a blow.
+/// Passes end with one that does less than this part of what the largest has done (no unit, 1e-6 to 1e-2): a part of
+/// the energy of a blow.
 pub(super) const LAST_BOUNCE: f64 = 1e-4;
 
 /// What patches do in a pass that were struck at one point alone: each bounces once, as an impact of its own.
@@ -94,7 +96,8 @@ enum Alone {
 pub(super) struct Bouncing<'a> {
     /// Whether those that are struck at one point alone have bounced already.
     pub(super) has_begun: bool,
-    /// Of each body, whether joints pass on what it is given: it bounces as one of several. None where the list is empty.
+    /// Of each body, whether joints pass on what it is given: it bounces as one of several. None where the list is
+    /// empty.
     pub(super) jointed: &'a [bool],
 }
 
@@ -174,9 +177,9 @@ fn restitute<L: Lanes>(
     works
 }
 
-/// The points of a patch that collided part again, all at once: `u+ = -e u-` where their impulse of the whole step stays
-/// positive, since no contact pulls. Before that their friction in the whole step is brought to its law, under the normal impulses of the
-/// whole step: a bounce has friction as the impact before it.
+/// The points of a patch that collided part again, all at once: `u+ = -e u-` where their impulse of the whole step
+/// stays positive, since no contact pulls. Before that their friction in the whole step is brought to its law, under
+/// the normal impulses of the whole step: a bounce has friction as the impact before it.
 /// Returns the changes of energy, by normal impulses and by friction.
 #[inline(always)]
 fn bounce<L: Lanes, const N: usize>(

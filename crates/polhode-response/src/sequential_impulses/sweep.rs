@@ -6,19 +6,19 @@
 //! beta = s / h                        where s > 0: it may close by that much (speculative contact)
 //!        max(b s, -v_push)            where it overlaps
 //! p_n <- max(0, p_n - m (a (u_n) + a' beta) - c p_n)
-//! p_t <- P(p_t - rho u_t)             onto the disc |p_t| <= mu p_n; rho one number, so that friction acts against the slip
+//! p_t <- P(p_t - rho u_t)             onto the disc |p_t| <= mu p_n; rho one number: friction acts against the slip
 //! ```
 //!
-//! The points of a patch are solved in its coordinates (`patch`), first all along the tangents, then all along the normal
-//! (`together`). The formulas are those of a patch of
-//! one point; of several no point comes before another. Friction first tries the change of least norm under which none of
-//! them slips; where that is beyond a disc, each point
+//! The points of a patch are solved in its coordinates (`patch`), first all along the tangents, then all along the
+//! normal (`together`). The formulas are those of a patch of
+//! one point; of several no point comes before another. Friction first tries the change of least norm under which none
+//! of them slips; where that is beyond a disc, each point
 //! takes the step `rho / N` against its own slip. `m = 1 / K_nn`, `rho` the
-//! inverse of the largest eigenvalue of `K_tt`; `a`, `b`, `c` are [`Softness`]. Separations are those at the start of the step plus the
-//! displacements of the bodies along the rows of then.
+//! inverse of the largest eigenvalue of `K_tt`; `a`, `b`, `c` are [`Softness`]. Separations are those at the start of
+//! the step plus the displacements of the bodies along the rows of then.
 //!
-//! **Work.** Impulses of a substep do work along the mean of the velocities before and after all of them (`works::book`). A sweep that begins a substep books
-//! those of the substep before, which it reads anyway.
+//! **Work.** Impulses of a substep do work along the mean of the velocities before and after all of them
+//! (`works::book`). A sweep that begins a substep books those of the substep before, which it reads anyway.
 
 use super::batch::{Batch, PointRows};
 use super::body::{Gathered, ImpulseBody, Twist};
@@ -43,7 +43,8 @@ impl Softness {
     /// A rigid contact that pushes nothing apart.
     pub const RIGID: Self = Self { rate: 0.0, mass: 1.0, impulse: 0.0 };
 
-    /// A spring of this frequency (Hz) and damping ratio (no unit) over substeps of `h` (s), implicit in time (Catto 2024).
+    /// A spring of this frequency (Hz) and damping ratio (no unit) over substeps of `h` (s), implicit in time (Catto
+    /// 2024).
     pub fn of_spring(frequency_hz: f64, damping: f64, h: f64) -> Self {
         let omega = std::f64::consts::TAU * frequency_hz;
         let a1 = 2.0 * damping + h * omega;
@@ -64,12 +65,14 @@ pub enum SweepStage {
     Moved,
 }
 
-/// In which order a sweep goes through the contacts. A sweep back is the adjoint of one onward: both together damp errors without making them swing.
+/// In which order a sweep goes through the contacts. A sweep back is the adjoint of one onward: both together damp
+/// errors without making them swing.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum SweepOrder {
     /// Colour by colour, contacts with bodies that impulses do not move last.
     Onward,
-    /// The contacts between bodies that move from the last to the first, and then those with others as before: nothing that these lean on gives way.
+    /// The contacts between bodies that move from the last to the first, and then those with others as before: nothing
+    /// that these lean on gives way.
     Back,
 }
 
@@ -199,7 +202,8 @@ impl<L: Lanes> Law<L> {
         normal - before
     }
 
-    /// The impulses along the normal at all points of a patch whose bodies move like this; the wrench takes what they change by.
+    /// The impulses along the normal at all points of a patch whose bodies move like this; the wrench takes what they
+    /// change by.
     #[inline(always)]
     fn press_together<const N: usize>(
         &self,
@@ -240,8 +244,8 @@ fn rub_together<L: Lanes, const N: usize>(
     friction::rub_together(rows, of, coefficient, moved, |row| &mut row.impulse, |change| change);
 }
 
-/// Brings the points of a patch to the law: all along the tangents, under the impulses along the normal of before, then all along the normal, which
-/// matters most.
+/// Brings the points of a patch to the law: all along the tangents, under the impulses along the normal of before, then
+/// all along the normal, which matters most.
 #[inline(always)]
 fn solve<L: Lanes>(
     bodies: &mut [ImpulseBody],

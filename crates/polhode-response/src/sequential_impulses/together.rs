@@ -1,4 +1,5 @@
-//! The impulses along the normal at all points of a patch at once, exactly: no point comes first, so that a symmetric blow turns nothing.
+//! The impulses along the normal at all points of a patch at once, exactly: no point comes first, so that a symmetric
+//! blow turns nothing.
 //!
 //! With the impulses `p` (N s) of up to four points, the rates of separation `u = u_0 + K (p - p_0)` (m/s), biases `b`
 //! (m/s) and compliances `g` (1/kg),
@@ -10,19 +11,20 @@
 //!
 //! The matrix of four points has rank three, since a rigid face has three ways to approach another: the term with `e`
 //! ([`PROXIMAL_OF_POINTS`]) chooses the change of
-//! least norm. So the solution is unique, and as symmetric as the patch is. It is found by principal pivoting: the set of
-//! points that press is guessed, the equations of the set are solved by
+//! least norm. So the solution is unique, and as symmetric as the patch is. It is found by principal pivoting: the set
+//! of points that press is guessed, the equations of the set are solved by
 //! `L D L^T`, and all points that contradict the guess change sides. Where this does not end, the first of them alone
 //! changes, which ends for every matrix with positive
-//! principal minors. Sources: Judice and Pires 1994 (block pivoting), Murty 1974, Golub and Van Loan 4.1, docs/REFERENCES.md.
+//! principal minors. Sources: Judice and Pires 1994 (block pivoting), Murty 1974, Golub and Van Loan 4.1,
+//! docs/REFERENCES.md.
 //!
 //! Failure: after [`MOST_ROUNDS`] rounds the last guess stands, without the negative impulses.
 
 use super::batch::PointRows;
 use super::lanes::{Lanes, by_place};
 
-/// What holds the change of impulses small, relative to the diagonal (no unit, 1e-8 to 1e-4): the square root of rounding
-/// at most, so that what no motion tells apart is
+/// What holds the change of impulses small, relative to the diagonal (no unit, 1e-8 to 1e-4): the square root of
+/// rounding at most, so that what no motion tells apart is
 /// known to half of the digits.
 const PROXIMAL_OF_POINTS: f64 = 1e-6;
 

@@ -1,7 +1,8 @@
 //! What impulses do: their work by kinds.
 //!
-//! The impulses `p` (N s) of a substep at a point do the work `p . u` (J), with `u` (m/s) the mean of the relative velocities of the point before and
-//! after all impulses of the substep. Assumption: rows do not change within a step. Source: algebra of kinetic energy.
+//! The impulses `p` (N s) of a substep at a point do the work `p . u` (J), with `u` (m/s) the mean of the relative
+//! velocities of the point before and after all impulses of the substep. Assumption: rows do not change within a step.
+//! Source: algebra of kinetic energy.
 
 use super::batch::{Batch, PointRows};
 use super::body::{ImpulseBody, Twist};
@@ -70,8 +71,9 @@ pub(super) fn numbers<L: Lanes>(of: &[u32; FOUR], part: usize) -> &[u32] {
     &of[part * L::WIDTH..(part + 1) * L::WIDTH]
 }
 
-/// Books the impulses of a substep at a patch, along its mean velocity: `p . u` is exactly the change of the kinetic energy (by algebra), with
-/// `u` the mean of the velocities before and after all impulses. Contacts that approached faster than `colliding` (m/s) collide.
+/// Books the impulses of a substep at a patch, along its mean velocity: `p . u` is exactly the change of the kinetic
+/// energy (by algebra), with `u` the mean of the velocities before and after all impulses. Contacts that approached
+/// faster than `colliding` (m/s) collide.
 #[inline(always)]
 pub(super) fn book<L: Lanes>(
     bodies: &[ImpulseBody],

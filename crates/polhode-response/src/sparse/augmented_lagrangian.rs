@@ -1,19 +1,19 @@
 //! The augmented Lagrangian, for problems without friction.
 //!
-//! Rows that are held and contacts that only push ask for the velocities nearest to `v_free` (in the norm of masses) that keep
-//! `H v + b >= 0`: a convex problem with one answer. With a penalty `sigma` of each row, `r' = P(r - sigma (H v + b)) / (1 +
-//! sigma C)` are the reactions that a velocity `v` asks for, `P` the part that pushes, and
+//! Rows that are held and contacts that only push ask for the velocities nearest to `v_free` (in the norm of masses)
+//! that keep `H v + b >= 0`: a convex problem with one answer. With a penalty `sigma` of each row, `r' = P(r - sigma (H
+//! v + b)) / (1 + sigma C)` are the reactions that a velocity `v` asks for, `P` the part that pushes, and
 //!
 //! `phi(v) = |v - v_free|^2 / 2 + sum (1 + sigma C) r'^2 / (2 sigma)`
 //!
-//! is convex and smooth. Each round finds its least value by Newton steps in the velocities of bodies, one factorisation each
-//! (`I + H^T K H`, `K = sigma / (1 + sigma C)` where a row pushes), takes `r'` for `r`, and makes the penalty larger where
-//! that has gained little. Nothing is decided for good: rows that depend on each other, and contacts that touch without a
-//! force, do no harm.
+//! is convex and smooth. Each round finds its least value by Newton steps in the velocities of bodies, one
+//! factorisation each (`I + H^T K H`, `K = sigma / (1 + sigma C)` where a row pushes), takes `r'` for `r`, and makes
+//! the penalty larger where that has gained little. Nothing is decided for good: rows that depend on each other, and
+//! contacts that touch without a force, do no harm.
 //!
-//! Symbols: `v` (scaled by the roots of masses), `r` (N s), `sigma` (kg), `C` (1/kg). Source: Rockafellar 1976. Assumption: no
-//! block has friction. Failure: where the bodies cannot keep `H v + b >= 0`, or ratios of masses are beyond the largest penalty,
-//! rounds gain little; they end, and the best point is kept.
+//! Symbols: `v` (scaled by the roots of masses), `r` (N s), `sigma` (kg), `C` (1/kg). Source: Rockafellar 1976.
+//! Assumption: no block has friction. Failure: where the bodies cannot keep `H v + b >= 0`, or ratios of masses are
+//! beyond the largest penalty, rounds gain little; they end, and the best point is kept.
 
 use crate::law::{Law, MOST_ROWS};
 use crate::sparse::block6::{Vector6, add_scaled, dot6};
@@ -23,8 +23,8 @@ use crate::sparse::newton::NewtonLimits;
 use crate::sparse::problem::{BodyProblem, RowBlock};
 use crate::sparse::system::{BodySystem, RowMatrix, Sides};
 
-/// The first penalty, and the largest one, in units of the mass that each row moves (no units, 1e4 to 1e6, and 1e6 to 1e7).
-/// Rounding of a velocity times the penalty is rounding of a reaction.
+/// The first penalty, and the largest one, in units of the mass that each row moves (no units, 1e4 to 1e6, and 1e6 to
+/// 1e7). Rounding of a velocity times the penalty is rounding of a reaction.
 const FIRST_PENALTY: f64 = 1e5;
 const LARGEST_PENALTY: f64 = 1e6;
 
@@ -217,8 +217,8 @@ fn along(slope: &[Vector6], dv: &[Vector6]) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    //! Columns of boxes under gravity, with four contacts between any two, whose gaps contradict each other or not. The answer
-    //! of a convex problem is known by its conditions: what pushes does not move, what parts does not push.
+    //! Columns of boxes under gravity, with four contacts between any two, whose gaps contradict each other or not. The
+    //! answer of a convex problem is known by its conditions: what pushes does not move, what parts does not push.
     #![expect(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
     use super::*;
     use crate::sparse::body::BodyMass;

@@ -6,10 +6,10 @@
 //! e = a + H^T r,     sought are changes   dr = -K H (I + H^T K H)^-1 e   with   K large,
 //! ```
 //!
-//! which minimise `|e + H^T dr|^2 + dr^T K^-1 dr`: a factorisation whose size goes with the bodies, however many contacts
-//! are redundant, repeated on what is still left until that is rounding. `K` of a contact is in proportion to its normal force
-//! and zero where it bears nothing, so that forces within their cones stay there. Symbols: `H` rows of contacts (1/kg^1/2), `r`
-//! (N), `a`, `e` (m/s^2 kg^1/2), `K` (kg).
+//! which minimise `|e + H^T dr|^2 + dr^T K^-1 dr`: a factorisation whose size goes with the bodies, however many
+//! contacts are redundant, repeated on what is still left until that is rounding. `K` of a contact is in proportion to
+//! its normal force and zero where it bears nothing, so that forces within their cones stay there. Symbols: `H` rows of
+//! contacts (1/kg^1/2), `r` (N), `a`, `e` (m/s^2 kg^1/2), `K` (kg).
 //!
 //! Failure: forces that bear nothing where they would have to leave a rest, which is told.
 
@@ -27,15 +27,15 @@ use crate::sparse::from_blocks::Converted;
 use crate::sparse::problem::{BodyProblem, RowBlock};
 use crate::sparse::system::{BodySystem, RowMatrix, Sides};
 
-/// `K` of the contact that bears most, in units of the mass that its rows meet (no unit, 1e6 to 1e10): a larger one leaves less
-/// in one round, and more to rounding of the factors.
+/// `K` of the contact that bears most, in units of the mass that its rows meet (no unit, 1e6 to 1e10): a larger one
+/// leaves less in one round, and more to rounding of the factors.
 const STIFFNESS: f64 = 1e8;
 
 /// Rounds of changes (10 to 50): each one leaves a part of 1e-6, and of a heavy body on light ones a part of 1e-2.
 const MOST_ROUNDS: usize = 24;
 
-/// What is left on a body is rounding when it is at most this part of the sum of the magnitudes of the forces on it (no unit,
-/// 1e-16 to 1e-14).
+/// What is left on a body is rounding when it is at most this part of the sum of the magnitudes of the forces on it (no
+/// unit, 1e-16 to 1e-14).
 const BALANCED: f64 = 2e-15;
 
 /// Forces in balance.
@@ -48,8 +48,8 @@ pub struct BalancedForces {
 }
 
 impl Blocks {
-    /// Forces near `forces` (N, of all rows) that balance the bodies' accelerations `free` (m/s^2 and rad/s^2, in blocks of the
-    /// problem's width) without them.
+    /// Forces near `forces` (N, of all rows) that balance the bodies' accelerations `free` (m/s^2 and rad/s^2, in
+    /// blocks of the problem's width) without them.
     ///
     /// ```
     /// use polhode_response::{Blocks, ContactProblem, Law};
@@ -173,8 +173,9 @@ fn stiffnesses(problem: &BodyProblem, reactions: &[f64]) -> Vec<RowMatrix> {
 
 #[cfg(test)]
 mod tests {
-    //! Forces that are off by a part of a thousandth balance afterwards, on every body to rounding of its own forces, with many
-    //! redundant contacts and with masses that differ by 1e6; where nothing bears what is missing, that is told.
+    //! Forces that are off by a part of a thousandth balance afterwards, on every body to rounding of its own forces,
+    //! with many redundant contacts and with masses that differ by 1e6; where nothing bears what is missing, that is
+    //! told.
     #![expect(clippy::unwrap_used, reason = "a failed step fails the test")]
     use super::*;
 

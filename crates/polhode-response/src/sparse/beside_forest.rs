@@ -1,14 +1,16 @@
 //! The rows beside trees of joints: a problem of their own, in which the joints have been eliminated.
 //!
 //! With `G_K` the matrix of the rows `K` that are in no tree and `H` those of the trees (`held_forest.rs`),
-//! `G_K - G_KH G_H^-1 G_HK` says how a unit force along one of them accelerates all of them while the joints hold. It is found
-//! column by column: a unit impulse passes through its tree from its bodies to the root and back to all bodies that have such
-//! rows. So contacts, limits and loops of a robot are solved for in a matrix of their own size, whatever the number of its joints.
+//! `G_K - G_KH G_H^-1 G_HK` says how a unit force along one of them accelerates all of them while the joints hold. It
+//! is found column by column: a unit impulse passes through its tree from its bodies to the root and back to all bodies
+//! that have such rows. So contacts, limits and loops of a robot are solved for in a matrix of their own size, whatever
+//! the number of its joints.
 //!
-//! For solvers that ask for bodies and Jacobians the problem has one body with a coordinate for each row, whose inverse mass is the
-//! matrix, and rows that are unit vectors.
+//! For solvers that ask for bodies and Jacobians the problem has one body with a coordinate for each row, whose inverse
+//! mass is the matrix, and rows that are unit vectors.
 //!
-//! The forces of the trees follow from those of the others; what rounding leaves of `J v + C f + b` is solved for once more.
+//! The forces of the trees follow from those of the others; what rounding leaves of `J v + C f + b` is solved for once
+//! more.
 
 #[cfg(feature = "census")]
 use crate::census::{self, Chain, Size};
@@ -22,8 +24,8 @@ use crate::report::SolverStatus;
 use crate::sparse::forest_passes::ForestPasses;
 use crate::sparse::held_forest::HeldForest;
 
-/// A row that moves less than this part of what it would move without the trees is held by them already, as some rows of a bridge
-/// that hangs by both ends (no unit): what is left is rounding, of either sign.
+/// A row that moves less than this part of what it would move without the trees is held by them already, as some rows
+/// of a bridge that hangs by both ends (no unit): what is left is rounding, of either sign.
 const HELD_BY_TREES: f64 = 1e-14;
 
 /// Solves with the factors: the first one, and one for what rounding has left.
@@ -50,7 +52,8 @@ pub struct BesideForest {
     pub problem: ContactProblem,
     /// Its matrix.
     pub delassus: Delassus,
-    /// What each row would move without the trees under a unit force, 1/kg: the scale of what rounding leaves in the matrix.
+    /// What each row would move without the trees under a unit force, 1/kg: the scale of what rounding leaves in the
+    /// matrix.
     pub free: Vec<f64>,
 }
 
@@ -164,7 +167,8 @@ impl HeldForest {
             rates = problem.rates(constants, &found.forces);
         }
         let scales = problem.scales_of_rates(constants, &found.forces);
-        // Terms that are rounding of those of other rows, as across a plane in which all moves, are not judged by themselves.
+        // Terms that are rounding of those of other rows, as across a plane in which all moves, are not judged by
+        // themselves.
         let least = f64::EPSILON * scales.iter().fold(0.0, |most: f64, scale| most.max(*scale));
         let relative = |row: usize| if scales[row] == 0.0 { 0.0 } else { rates[row].abs() / scales[row].max(least) };
         found.residual = self.rows().map(relative).fold(0.0, nan_max);
@@ -227,8 +231,8 @@ mod tests {
     use super::*;
     use crate::least_norm_hold::LeastNormHold;
 
-    /// Bodies in space with three rows between neighbours, the first with the world; a body beside the chain; rows that push at the
-    /// ends, and a soft row between the first and the third body.
+    /// Bodies in space with three rows between neighbours, the first with the world; a body beside the chain; rows that
+    /// push at the ends, and a soft row between the first and the third body.
     fn chain(bodies: usize, heavy: f64) -> (ContactProblem, Vec<f64>) {
         let mut masses = Vec::new();
         for body in 0..bodies {
@@ -289,7 +293,8 @@ mod tests {
         }
     }
 
-    /// A hundred links of 1 kg hang from the world, the last of them of a million: each joint bears the weight of what is below it.
+    /// A hundred links of 1 kg hang from the world, the last of them of a million: each joint bears the weight of what
+    /// is below it.
     #[test]
     fn a_chain_bears_a_million_times_the_mass_of_a_link() {
         const LINKS: usize = 100;

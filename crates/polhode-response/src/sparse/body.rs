@@ -40,7 +40,8 @@ impl BodyMass {
         Self(Inertness::Mass(block))
     }
 
-    /// The inverse of such a block. Nothing is inverted: rows are to the last digits what they are with the inverse given.
+    /// The inverse of such a block. Nothing is inverted: rows are to the last digits what they are with the inverse
+    /// given.
     pub const fn from_inverse_block(block: [f64; 36]) -> Self {
         Self(Inertness::Inverse(block))
     }

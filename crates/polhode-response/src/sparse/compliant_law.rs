@@ -1,11 +1,12 @@
 //! The law of a contact or joint that yields: its reaction as a function of its velocity.
 //!
-//! With a compliance `c` and reactions `r_0` to which it returns, a block asks for its law of `r` and `u + c (r - r_0)`.
-//! With `z = r_0 - u / c` the answer is explicit: `r = z` where it holds, `r_n = max(z_n, 0)` along a normal, and the
-//! point of the disc `|r_i| <= mu_i r_n` that is nearest to `z_i` for a part that resists. This is Coulomb's law with
-//! its slip, not the projection onto the cone. Source: Alart and Curnier 1991 (the augmented Lagrangian). Symbols: `r`
-//! (N s), `u` (m/s), `c` (1/kg), `K = -dr/du` (kg). Assumption: rows of one part have one compliance of their own;
-//! where they do not, the direction of a slip is that of `z`. Failure: none, any `c` above 0 gives numbers.
+//! With a compliance `c` and reactions `r_0` to which it returns, a block asks for its law of `r` and
+//! `u + c (r - r_0)`. With `z = r_0 - u / c` the answer is explicit: `r = z` where it holds, `r_n = max(z_n, 0)` along
+//! a normal, and the point of the disc `|r_i| <= mu_i r_n` that is nearest to `z_i` for a part that resists. This is
+//! Coulomb's law with its slip, not the projection onto the cone. Source: Alart and Curnier 1991 (the augmented
+//! Lagrangian). Symbols: `r` (N s), `u` (m/s), `c` (1/kg), `K = -dr/du` (kg). Assumption: rows of one part have one
+//! compliance of their own; where they do not, the direction of a slip is that of `z`. Failure: none, any `c` above 0
+//! gives numbers.
 
 use crate::friction::coulomb_cone::BlockRows;
 use crate::law::{Law, MOST_ROWS};

@@ -1,13 +1,13 @@
 //! Sparse elimination in blocks of 6 x 6: `A = I + H^T K H`, symmetric positive definite (Cholesky) or not symmetric
 //! (LU).
 //!
-//! A symmetric `K` comes from contacts that are held or whose slip is taken as known, one that is not from contacts that
-//! slide: the velocity along the normal changes the reaction along the slip, and not the other way round. The pattern is
-//! that of the [`Elimination`] in both cases. Bodies are eliminated one after the other, within a body with the largest
-//! pivot of each column, between bodies without exchanges: `A` has a diagonal of ones before contacts are added. Couplings
-//! without entries, as those by open contacts, are passed over. Every sum has one order. Sources: George and Liu 1989; Golub
-//! and Van Loan, section 4.2. Failure: a symmetric matrix that rounding has made indefinite is told, and taken for one that
-//! is not symmetric.
+//! A symmetric `K` comes from contacts that are held or whose slip is taken as known, one that is not from contacts
+//! that slide: the velocity along the normal changes the reaction along the slip, and not the other way round. The
+//! pattern is that of the [`Elimination`] in both cases. Bodies are eliminated one after the other, within a body with
+//! the largest pivot of each column, between bodies without exchanges: `A` has a diagonal of ones before contacts are
+//! added. Couplings without entries, as those by open contacts, are passed over. Every sum has one order. Sources:
+//! George and Liu 1989; Golub and Van Loan, section 4.2. Failure: a symmetric matrix that rounding has made indefinite
+//! is told, and taken for one that is not symmetric.
 
 use crate::sparse::block6::{
     Block6, CholeskyBlock, FactoredBlock, Vector6, WIDTH, ZERO, subtract_product, subtract_times,

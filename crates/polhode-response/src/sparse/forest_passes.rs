@@ -1,11 +1,12 @@
 //! Solves with the factors of trees of held rows: one pass from the leaves to the roots, one back.
 //!
-//! With impulses `r` on bodies and constant terms `b` of the rows of branches it finds `M v = r + J^T f`, `J v + C f + b = 0`. From the
-//! leaves, where `r_c` has what the branches below pass on, `y = L^-1 r_c`, `q = R^-1 (-b - Y^T y)`, and the parent receives `Z^T q`. Back
-//! from the roots, `f = R^-T (q - Z v_p)` and `v_c = L^-T (y + Y f)`.
+//! With impulses `r` on bodies and constant terms `b` of the rows of branches it finds `M v = r + J^T f`,
+//! `J v + C f + b = 0`. From the leaves, where `r_c` has what the branches below pass on, `y = L^-1 r_c`,
+//! `q = R^-1 (-b - Y^T y)`, and the parent receives `Z^T q`. Back from the roots, `f = R^-T (q - Z v_p)` and
+//! `v_c = L^-T (y + Y f)`.
 //!
-//! What acts on a few bodies passes only those between them and the roots, and velocities are asked for at a few bodies only:
-//! those passes leave all others out.
+//! What acts on a few bodies passes only those between them and the roots, and velocities are asked for at a few bodies
+//! only: those passes leave all others out.
 
 use crate::dense::kernels::axpy;
 use crate::problem::ContactProblem;
@@ -16,7 +17,8 @@ use crate::sparse::held_forest::{HeldForest, Limb, backward, forward};
 pub(super) struct ForestPasses {
     /// `y` of each body, in the order of elimination; before the first pass the impulses on it.
     at_bodies: Vec<f64>,
-    /// `q` of each row of a branch, in their order; before the first pass their constant terms, after the second one the forces.
+    /// `q` of each row of a branch, in their order; before the first pass their constant terms, after the second one
+    /// the forces.
     at_rows: Vec<f64>,
     /// Of the bodies, in the order of elimination.
     velocities: Vec<f64>,
@@ -46,8 +48,8 @@ impl ForestPasses {
         &self.at_rows
     }
 
-    /// The velocities of the bodies at some places (descending, each with its parent) that a unit impulse along a row of the
-    /// problem gives; `path` are the places (ascending) between its bodies and the roots.
+    /// The velocities of the bodies at some places (descending, each with its parent) that a unit impulse along a row
+    /// of the problem gives; `path` are the places (ascending) between its bodies and the roots.
     pub(super) fn velocities_by_row(
         &mut self,
         forest: &HeldForest,

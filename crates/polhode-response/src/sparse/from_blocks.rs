@@ -34,8 +34,8 @@ const FACTORISATIONS_OF_AN_ATTEMPT: usize = 80;
 type Members = [Option<usize>; 2];
 
 impl Blocks {
-    /// Solves for the reactions of all rows in the velocities of bodies; `start` are those of a similar problem. The solver keeps
-    /// its elimination from one problem to the next as long as the same bodies are coupled.
+    /// Solves for the reactions of all rows in the velocities of bodies; `start` are those of a similar problem. The
+    /// solver keeps its elimination from one problem to the next as long as the same bodies are coupled.
     ///
     /// ```
     /// use polhode_response::sparse::{BodySettings, BodySolver};
@@ -47,7 +47,8 @@ impl Blocks {
     /// let mut blocks = Blocks::default();
     /// blocks.push(Law::Cone { rows: 2, friction: 0.5 }, [0, 1]);
     /// let mut solver = BodySolver::default();
-    /// let (solved, _) = blocks.solve_in_bodies(&problem, &[-3.0, 4.0], None, (&mut solver, &BodySettings::default()))?;
+    /// let system = (&mut solver, &BodySettings::default());
+    /// let (solved, _) = blocks.solve_in_bodies(&problem, &[-3.0, 4.0], None, system)?;
     /// assert!((solved.velocities[1] - 2.5).abs() < 1e-11);
     /// # Ok::<(), polhode_response::ResponseError>(())
     /// ```
@@ -136,8 +137,8 @@ impl Blocks {
     }
 }
 
-/// Solves the cone problem of an impact with these laws, in the velocities of the bodies behind its rows; constant terms and
-/// start are in the order of the laws.
+/// Solves the cone problem of an impact with these laws, in the velocities of the bodies behind its rows; constant
+/// terms and start are in the order of the laws.
 ///
 /// # Errors
 /// See the top of the module.

@@ -1,10 +1,10 @@
-//! Trees of bodies that held rows connect, and their factors: the rows of joints are solved for at a cost that is linear in the
-//! bodies, whatever the length of a chain.
+//! Trees of bodies that held rows connect, and their factors: the rows of joints are solved for at a cost that is
+//! linear in the bodies, whatever the length of a chain.
 //!
-//! Rows that are held, soft ones among them, ask for `J v + C f + b = 0` with `M v = J^T f`. All such rows of one pair of bodies (or
-//! of a body with the world) are a branch. Branches are taken, in the order of their first rows, as long as they close no loop; the
-//! world is one place of the graph. Each tree is eliminated from its leaves to its root, the world where one of its bodies is held
-//! to it, else its first body. At a body `c` with the branch to its parent `p`:
+//! Rows that are held, soft ones among them, ask for `J v + C f + b = 0` with `M v = J^T f`. All such rows of one pair
+//! of bodies (or of a body with the world) are a branch. Branches are taken, in the order of their first rows, as long
+//! as they close no loop; the world is one place of the graph. Each tree is eliminated from its leaves to its root, the
+//! world where one of its bodies is held to it, else its first body. At a body `c` with the branch to its parent `p`:
 //!
 //! | | |
 //! |---|---|
@@ -13,9 +13,9 @@
 //! | `S = Y^T Y + C = R R^T` | what the branch meets |
 //! | `Z = R^-1 J_p` | what it adds to the parent |
 //!
-//! All terms are added, none is subtracted, so that large ratios of masses cost no digits beyond those of the problem. Rows of a
-//! tree are independent of each other; those of one joint that nothing can move (out of a plane) get no force. Rows of branches
-//! that would close a loop, and rows that are not held, are the *others* (`beside_forest.rs`).
+//! All terms are added, none is subtracted, so that large ratios of masses cost no digits beyond those of the problem.
+//! Rows of a tree are independent of each other; those of one joint that nothing can move (out of a plane) get no
+//! force. Rows of branches that would close a loop, and rows that are not held, are the *others* (`beside_forest.rs`).
 //!
 //! Sources: Featherstone 1983 and 2008, chapter 7 (articulated bodies); Baraff 1996 (the same in Lagrange multipliers).
 //! Failure: no forest where an inverse mass is not positive definite, or where rows of one branch depend on each other.
@@ -25,8 +25,8 @@ use crate::problem::ContactProblem;
 use polhode_spatial::DisjointSets;
 use std::ops::Range;
 
-/// A pivot of a branch below this part of its diagonal counts as a row that depends on the others (no unit, 1e-14 to 1e-11): the
-/// rounding of some dozen terms over ratios of masses of 1e3 within one joint.
+/// A pivot of a branch below this part of its diagonal counts as a row that depends on the others (no unit, 1e-14 to
+/// 1e-11): the rounding of some dozen terms over ratios of masses of 1e3 within one joint.
 const DEPENDENT_PIVOT: f64 = 1e-13;
 
 /// Most rows of one branch: a joint has six at most, and as many soft ones.
@@ -169,7 +169,8 @@ impl Branches {
 struct Order {
     /// Bodies, parents before children.
     bodies: Vec<u32>,
-    /// Of each body the branch to its parent and that parent, `NONE` for the world; `NONE` twice at a root that is free.
+    /// Of each body the branch to its parent and that parent, `NONE` for the world; `NONE` twice at a root that is
+    /// free.
     up: Vec<[u32; 2]>,
 }
 
@@ -221,7 +222,8 @@ impl Order {
 }
 
 impl HeldForest {
-    /// The trees of those of these rows of a problem that are held; none where no row is, and where they have no factors.
+    /// The trees of those of these rows of a problem that are held; none where no row is, and where they have no
+    /// factors.
     pub fn of(problem: &ContactProblem, held: Range<usize>) -> Option<Self> {
         let mut branches = Branches::of(problem, held);
         if branches.pairs.is_empty() || problem.bodies() >= NONE as usize {
@@ -361,8 +363,8 @@ impl HeldForest {
     }
 }
 
-/// `L` of a matrix in its lower triangle, with the inverse of each entry of the diagonal in its place; zero where the row is zero.
-/// Whether all other pivots are larger than this part of the diagonal.
+/// `L` of a matrix in its lower triangle, with the inverse of each entry of the diagonal in its place; zero where the
+/// row is zero. Whether all other pivots are larger than this part of the diagonal.
 fn cholesky(matrix: &mut [f64], size: usize, least: f64) -> bool {
     match size {
         3 => cholesky_of::<3>(matrix, least),
@@ -460,7 +462,8 @@ fn put_inverse(matrix: &[f64], size: usize, inverse: &mut [f64]) -> bool {
     if !cholesky(inverse, size, f64::EPSILON) || (0..size).any(|i| inverse[i * size + i] == 0.0) {
         return false;
     }
-    // The columns of L^-1, then the products of its transpose with itself, each in the place of what is no longer needed.
+    // The columns of L^-1, then the products of its transpose with itself, each in the place of what is no longer
+    // needed.
     for j in 0..size {
         for i in j + 1..size {
             let known: f64 = (j..i).map(|k| inverse[i * size + k] * inverse[k * size + j]).sum();

@@ -76,8 +76,8 @@ impl InteriorCone {
         inner(&moved(&self.x, &self.dx), &moved(&self.y, &self.dy)) / self.weight
     }
 
-    /// Linearises at `u`, with this share of the change of its slip; returns `K`. `shift` is the compliance that the step
-    /// alone has (1/kg).
+    /// Linearises at `u`, with this share of the change of its slip; returns `K`. `shift` is the compliance that the
+    /// step alone has (1/kg).
     pub(crate) fn linearise(&mut self, u: &BlockRows, share: f64, shift: f64) -> RowMatrix {
         self.slipping = self.form.slipping(u);
         self.slipping.theta = self.slipping.theta.map(|theta| share * theta);

@@ -38,8 +38,8 @@ const INTERIOR_REFINEMENTS: usize = 2;
 /// Steps shorter than this lead nowhere (no unit, 0.1 to 0.3): the path turns.
 const JAMMED_STEP: f64 = 0.2;
 
-/// How much of the change of slips is part of a step once one was so short (no unit, 0.8 to 0.95). With all of it the path
-/// turns back where many contacts slide into each other; with none the slips are found by repetition.
+/// How much of the change of slips is part of a step once one was so short (no unit, 0.8 to 0.95). With all of it the
+/// path turns back where many contacts slide into each other; with none the slips are found by repetition.
 const SHARE_OF_SLIP: f64 = 0.9;
 
 /// How many of them in a row.

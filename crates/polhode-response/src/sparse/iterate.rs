@@ -18,8 +18,8 @@ use crate::law::{Law, MOST_ROWS};
 use crate::sparse::block6::Vector6;
 use crate::sparse::problem::{BodyProblem, RowBlock};
 
-/// Share of the balanced residual that counts (no unit, 1e-5 to 1e-2): that of light bodies has fewer digits. Where 1e-8 is asked
-/// for, their velocities are right to 1e-5 of the fastest one.
+/// Share of the balanced residual that counts (no unit, 1e-5 to 1e-2): that of light bodies has fewer digits. Where
+/// 1e-8 is asked for, their velocities are right to 1e-5 of the fastest one.
 const BALANCED_SHARE: f64 = 1e-3;
 
 /// Rounding of a velocity, in units in the last place of the largest reaction over the least mass (4 to 16).

@@ -103,8 +103,8 @@ impl<'a> BodyNewton<'a> {
     }
 
     /// Reactions that would hold all blocks still, whatever their laws: about the size of the answer. Rows of a heap
-    /// contradict each other, and reactions that held them all the same would be far too large: what is held is the motion of
-    /// the bodies that comes nearest to the rates.
+    /// contradict each other, and reactions that held them all the same would be far too large: what is held is the
+    /// motion of the bodies that comes nearest to the rates.
     pub(crate) fn holding(&mut self, system: &mut BodySystem, without: &Iterate) -> &[f64] {
         self.weights.clone_from(&self.inverse_masses);
         self.ask_to_hold(&without.rates);

@@ -5,7 +5,8 @@ use crate::error::ResponseError;
 /// Settings of [`BodySolver`](crate::sparse::BodySolver).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BodySettings {
-    /// The residual to reach: methods stop there, but for the path of compliance, which stops well within the acceptance.
+    /// The residual to reach: methods stop there, but for the path of compliance, which stops well within the
+    /// acceptance.
     pub tolerance: f64,
     /// The largest residual that counts as solved, where the tolerance is not reached.
     pub acceptance: f64,
@@ -14,8 +15,8 @@ pub struct BodySettings {
     /// Steps of a warm start, before a cold one: it takes one or two where little has changed, eight where a box is
     /// pushed.
     pub warm_steps: usize,
-    /// Rounds of sweeps over all contacts: one before a cold start, which takes their loads, and the others after it, each with
-    /// Newton's method. 0: none.
+    /// Rounds of sweeps over all contacts: one before a cold start, which takes their loads, and the others after it,
+    /// each with Newton's method. 0: none.
     pub rounds_of_sweeps: usize,
 }
 

@@ -89,7 +89,8 @@ pub struct BodyReport {
     /// Natural map in units of velocity, balanced by the load of each contact, per unit of the largest velocity without
     /// reactions: under heavy loads that of light bodies.
     pub balanced_residual: f64,
-    /// The residual, or the share of the balanced one that counts, where that is larger: what decides whether the problem is solved.
+    /// The residual, or the share of the balanced one that counts, where that is larger: what decides whether the
+    /// problem is solved.
     pub rank: f64,
     /// Factorisations of all methods.
     pub factorisations: usize,

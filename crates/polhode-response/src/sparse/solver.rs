@@ -1,11 +1,11 @@
 //! The chain of methods in the velocities of bodies, and one residual for all of them.
 //!
 //! Warm: semismooth Newton from the reactions given. Where that was not enough, and where sweeps are asked for, a first
-//! round of them. Without friction the augmented Lagrangian follows, with Newton's method to the end. With friction: the
-//! interior point, from the loads that sweeps have found or from those that would hold everything, and Newton's method;
-//! further rounds of sweeps with Newton's method; where these find no answer, the path of compliance from the best one;
-//! where that turns back, smoothing Newton with Newton's method, and the path from no reactions at all. The best of all is
-//! returned, with its residual and what became of it.
+//! round of them. Without friction the augmented Lagrangian follows, with Newton's method to the end. With friction:
+//! the interior point, from the loads that sweeps have found or from those that would hold everything, and Newton's
+//! method; further rounds of sweeps with Newton's method; where these find no answer, the path of compliance from the
+//! best one; where that turns back, smoothing Newton with Newton's method, and the path from no reactions at all. The
+//! best of all is returned, with its residual and what became of it.
 
 #[cfg(feature = "census")]
 use crate::census::{self, Answer, Size};
@@ -36,8 +36,8 @@ const FIRST_NEWTON_STEPS: usize = 8;
 const SMOOTHING_STEPS: usize = 20;
 const NEWTON_STEPS: usize = 20;
 
-/// Its steps after the path of compliance, which has come to what is accepted: as exactly as rounding allows, so that what rests
-/// stays at rest.
+/// Its steps after the path of compliance, which has come to what is accepted: as exactly as rounding allows, so that
+/// what rests stays at rest.
 const LAST_NEWTON_STEPS: usize = 12;
 
 /// Sweeps to and fro in the first round; each further round has twice as many (4 to 20).
@@ -55,8 +55,8 @@ const PATIENCE: usize = 3;
 /// The residual at which the path of compliance ends, in units of what is accepted (no unit, 0.1 to 0.5).
 const WELL_WITHIN: f64 = 0.2;
 
-/// The first compliance about an answer, in units of its residual (no unit, 10 to 100), and the least one; the one about
-/// no reactions (no units).
+/// The first compliance about an answer, in units of its residual (no unit, 10 to 100), and the least one; the one
+/// about no reactions (no units).
 const COMPLIANCE_PER_RESIDUAL: f64 = 30.0;
 const LEAST_FIRST_COMPLIANCE: f64 = 1e-6;
 const LARGEST_FIRST_COMPLIANCE: f64 = 1.0;

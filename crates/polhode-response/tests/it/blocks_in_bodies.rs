@@ -1,8 +1,8 @@
 //! The same rows and laws, solved with the matrix of all rows and in the velocities of bodies.
 //!
 //! Both must give the bodies the same motion, whatever the order of rows: normals first, then joints, then tangents, as
-//! time steps have them. Scaled rows (an ellipse of friction), blocks of held rows that span two joints, and bodies with
-//! the three coordinates of a plane take part.
+//! time steps have them. Scaled rows (an ellipse of friction), blocks of held rows that span two joints, and bodies
+//! with the three coordinates of a plane take part.
 
 use super::body_scenes::{BodyScene, Contact, heap, pyramid};
 use polhode_response::friction::{ContactStatus, FrictionSettings};
@@ -105,7 +105,8 @@ fn motions_are_the_same_with_and_without_the_matrix() {
     agree("pyramid", &rows_of(pyramid(4, 0.5).pull(0.1), false));
 }
 
-/// A block of 2 kg in the plane (x, y and its turn) slides on two corners with 4 m/s and slows to 2.5 m/s at 3 m/s of load.
+/// A block of 2 kg in the plane (x, y and its turn) slides on two corners with 4 m/s and slows to 2.5 m/s at 3 m/s of
+/// load.
 #[test]
 fn bodies_in_a_plane_have_three_coordinates() {
     let mut problem = ContactProblem::new(3, vec![0.5, 0.0, 0.0, 0.0, 0.5, 0.0, 0.0, 0.0, 1e-9]).unwrap();

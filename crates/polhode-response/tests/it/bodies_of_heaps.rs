@@ -17,8 +17,8 @@ fn takes(name: &str, scene: &BodyScene, most: usize) {
     comes_to(1e-12, name, scene, most);
 }
 
-/// Solved to this residual within so many factorisations: 1e-9 where contacts nearly depend on each other and many of them are
-/// about to slip, for which the path of compliance is followed.
+/// Solved to this residual within so many factorisations: 1e-9 where contacts nearly depend on each other and many of
+/// them are about to slip, for which the path of compliance is followed.
 fn comes_to(residual: f64, name: &str, scene: &BodyScene, most: usize) {
     let report = solved(scene).report;
     assert_eq!(report.status, SolverStatus::Solved, "{name}: {report:?}");

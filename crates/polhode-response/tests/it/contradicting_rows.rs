@@ -1,9 +1,9 @@
-//! Contacts whose terms contradict each other a little, as those of faces whose gaps differ: Coulomb's law has an answer
-//! all the same, in which some corners slip or part by that little.
+//! Contacts whose terms contradict each other a little, as those of faces whose gaps differ: Coulomb's law has an
+//! answer all the same, in which some corners slip or part by that little.
 //!
-//! The residual is computed here from reactions and velocities alone, by a projection that is found without a formula: by
-//! bisection along the cone's boundary. Loads must not grow with the contradiction over some damping, which is what they
-//! did: the interior point then began from nonsense.
+//! The residual is computed here from reactions and velocities alone, by a projection that is found without a formula:
+//! by bisection along the cone's boundary. Loads must not grow with the contradiction over some damping, which is what
+//! they did: the interior point then began from nonsense.
 
 use super::body_scenes::{BodyScene, Dice, GRAVITY_OF_A_STEP, pyramid, tower};
 use polhode_response::sparse::{BodySettings, BodySolution, BodySolver};
@@ -35,8 +35,8 @@ fn nearest(mu: f64, n: f64, t: f64) -> [f64; 2] {
     [low, mu * low]
 }
 
-/// The natural map of all contacts in units of impulse, per unit of the largest reaction, from reactions and velocities of
-/// bodies; and what is missing of `M (v - v_free) = H^T r`, relative to the largest momentum given.
+/// The natural map of all contacts in units of impulse, per unit of the largest reaction, from reactions and velocities
+/// of bodies; and what is missing of `M (v - v_free) = H^T r`, relative to the largest momentum given.
 fn residuals(scene: &BodyScene, solution: &BodySolution) -> [f64; 2] {
     let masses = scene.diagonal_masses();
     let mut momenta = vec![[0.0; 6]; masses.len()];

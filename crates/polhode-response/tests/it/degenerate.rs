@@ -195,8 +195,9 @@ fn opposite_rows_behind_others_are_infeasible() {
     small.check().unwrap();
 }
 
-/// Rows 5 and 7 oppose each other behind four others, at a mass ratio of 1e6. The ray of the two went along with a share
-/// of 1e-10 of the others, all of it rounding; its forces of 1e16 hid the violation, and the answer passed for solved.
+/// Rows 5 and 7 oppose each other behind four others, at a mass ratio of 1e6. The ray of the two went along with a
+/// share of 1e-10 of the others, all of it rounding; its forces of 1e16 hid the violation, and the answer passed for
+/// solved.
 #[test]
 fn forces_along_a_ray_do_not_pass_for_a_solution() {
     let rows: [[i8; 6]; 9] = [
@@ -229,11 +230,11 @@ proptest! {
     }
 }
 
-/// A box in a wedge, held by four corner contacts below with lever arms of 1 and four above, whose normals are tilted by
-/// `angle` to the one side. Components: heave, two rotations, sideways; masses are one.
+/// A box in a wedge, held by four corner contacts below with lever arms of 1 and four above, whose normals are tilted
+/// by `angle` to the one side. Components: heave, two rotations, sideways; masses are one.
 ///
-/// Below, `h - a s >= 1`; above, `-h - a s >= -1 + 2 c a`: the wedge closes, and the box must leave it at `s <= -c`. The
-/// least motion is `s = -c`, `h = 1 - c a`, whatever the angle, by forces that add up to `c / a`.
+/// Below, `h - a s >= 1`; above, `-h - a s >= -1 + 2 c a`: the wedge closes, and the box must leave it at `s <= -c`.
+/// The least motion is `s = -c`, `h = 1 - c a`, whatever the angle, by forces that add up to `c / a`.
 fn wedge(angle: f64, speed: f64) -> Scene {
     let corners = [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)];
     let row = |(x, y): (f64, f64), up: f64| -> Row { vec![(0, vec![up, up * y, -up * x, -angle])] };
@@ -243,8 +244,8 @@ fn wedge(angle: f64, speed: f64) -> Scene {
     scene
 }
 
-/// Directions in which contacts differ by 1e-12 of the lever arm are told apart (beyond it the wedge closes by less than
-/// the tolerance of 1e-13). The heave is the difference of forces
+/// Directions in which contacts differ by 1e-12 of the lever arm are told apart (beyond it the wedge closes by less
+/// than the tolerance of 1e-13). The heave is the difference of forces
 /// of `c / a` and as good as their rounding; the sideways acceleration is as good as `G` in twice the precision, whose
 /// pivots are `a^2`. What is below the rank cut of 1e-14 is a squeeze.
 #[test]

@@ -33,20 +33,13 @@ fn residual(scene: &Scene, forces: &[f64]) -> f64 {
     natural_map_residual(&delassus, forces, &w, &scene.b).unwrap()
 }
 
-/// Case RC-07 (thesis, Figure 20): the beam on three pillars rests exactly; the least forces share the load; without
-/// the middle or the right pillar the forces are unique.
+/// A beam on three pillars (thesis, Figure 20) rests exactly. What the pillars bear is the verify case RC-07.
 #[test]
 fn beam_on_pillars() {
     let three = beam(&[-1.0, 0.0, 1.0]);
     let solution = solve(&three);
     assert_eq!(solution.residual_accelerations, [0.0; 3]);
     assert_close(&three.accelerations(&solution.forces), &[0.0; 3], 1e-14);
-    let forces = least(&three, &solution);
-    assert_close(&forces, &[3.27; 3], 3.27e-12);
-    assert_close(&[forces.iter().sum::<f64>(), forces[0] - forces[2]], &[GRAVITY, 0.0], 1e-12);
-    assert_close(&least(&beam(&[-1.0, 1.0]), &solve(&beam(&[-1.0, 1.0]))), &[4.905; 2], 4.905e-13);
-    let two = beam(&[-1.0, 0.0]);
-    assert_close(&least(&two, &solve(&two)), &[0.0, GRAVITY], 1e-12);
 }
 
 /// Case RC-17: a table on four legs with a weight off the middle stands on its legs as on equal springs.
@@ -287,8 +280,8 @@ fn squeezed_body_is_infeasible() {
 }
 
 /// A body that fits exactly between two walls is not squeezed by constant terms that are roundings of the others in the
-/// problem, as they are where velocities cancel, whether the contact of these pushes it along the walls or towards one; by
-/// more than that it is. Where the answer was found only so, its report says it.
+/// problem, as they are where velocities cancel, whether the contact of these pushes it along the walls or towards one;
+/// by more than that it is. Where the answer was found only so, its report says it.
 #[test]
 fn roundings_of_other_rows_squeeze_no_body() {
     for (push, noise) in [([0.6, 0.8], 0.0), ([0.0, 1.0], 64.0 * f64::EPSILON)] {

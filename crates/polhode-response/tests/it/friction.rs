@@ -1,5 +1,5 @@
-//! Contacts with friction: Coulomb's law holds to rounding whatever the problem, and a problem without a solution is said to have
-//! none. Judged by the law itself, written here afresh: open, stick or slide, each with its inequalities.
+//! Contacts with friction: Coulomb's law holds to rounding whatever the problem, and a problem without a solution is
+//! said to have none. Judged by the law itself, written here afresh: open, stick or slide, each with its inequalities.
 
 use polhode_response::Law;
 use polhode_response::SolverStatus;
@@ -63,8 +63,8 @@ fn violation(problem: &FrictionProblem, reactions: &[f64]) -> f64 {
     worst / size
 }
 
-/// Bodies with random contacts, each between one body and the next (a chain) or any other or the ground; `ratio` is the largest
-/// mass over the smallest. Velocities without reactions are those of bodies, so that a solution exists.
+/// Bodies with random contacts, each between one body and the next (a chain) or any other or the ground; `ratio` is the
+/// largest mass over the smallest. Velocities without reactions are those of bodies, so that a solution exists.
 fn random_problem(
     seed: u64,
     bodies: usize,
@@ -158,8 +158,8 @@ fn axes(numbers: &mut Numbers, dimension: usize) -> Vec<[f64; 3]> {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(32))]
 
-    /// Chains and piles, in space and in a plane, of equal masses or up to 1 : 1e6, redundant or not, mu from 0 to 10. Solved
-    /// always up to mass ratios of 10 and mu of 1; beyond, what is said to be solved is.
+    /// Chains and piles, in space and in a plane, of equal masses or up to 1 : 1e6, redundant or not, mu from 0 to 10.
+    /// Solved always up to mass ratios of 10 and mu of 1; beyond, what is said to be solved is.
     #[test]
     fn coulombs_law_holds_to_rounding(
         seed in 0_u64..1_000_000, bodies in 1_usize..16, per_body in 1_usize..5, dimension in 2_usize..4,
@@ -219,7 +219,8 @@ fn a_point_opens_sticks_and_slides() {
     assert_eq!(result([-3.0, 0.0, -4.0]), (vec![6.0, 0.0, 3.0], ContactStatus::Slide));
 }
 
-/// A contact that slides does not lift off, as it would by the associated law (a cone programme without De Saxce's correction).
+/// A contact that slides does not lift off, as it would by the associated law (a cone programme without De Saxce's
+/// correction).
 #[test]
 fn sliding_does_not_lift() {
     let matrix = [1.0, 0.2, 0.1, 0.2, 1.5, 0.0, 0.1, 0.0, 1.2];
@@ -228,8 +229,8 @@ fn sliding_does_not_lift() {
     assert!(solution.velocities[0].abs() < 1e-15 && solution.velocities[1] > 1.0, "{solution:?}");
 }
 
-/// A ball of unit mass pressed into a corner whose wall is held by a joint row and whose floor has friction: the joint's reaction has
-/// either sign, and its velocity is zero.
+/// A ball of unit mass pressed into a corner whose wall is held by a joint row and whose floor has friction: the
+/// joint's reaction has either sign, and its velocity is zero.
 #[test]
 fn held_rows_take_reactions_of_either_sign() {
     let matrix = [1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0];
@@ -247,7 +248,8 @@ fn held_rows_take_reactions_of_either_sign() {
 /// Two walls that close on a body from both sides leave it nowhere to go: no solution, and the reactions that prove it.
 #[test]
 fn a_squeezed_body_is_proven_to_have_no_solution() {
-    // Normal and tangent of each wall; the body is free along the tangent, turned the other way round on the other side.
+    // Normal and tangent of each wall; the body is free along the tangent, turned the other way round on the other
+    // side.
     let matrix = [1.0, 0.0, -1.0, 0.0, 0.0, 1.0, 0.0, 1.0, -1.0, 0.0, 1.0, 0.0, 0.0, 1.0, 0.0, 1.0];
     let problem = FrictionProblem::from_dense(vec![contact(2, 0.5); 2], &matrix, vec![-1.0, 0.3, -1.0, 0.3]).unwrap();
     let solution = solve(&problem);

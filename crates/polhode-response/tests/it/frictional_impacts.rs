@@ -20,7 +20,8 @@ fn assert_each(found: &[f64], expected: &[f64], tolerance: f64, what: &str) {
     }
 }
 
-/// A body in a plane on a contact: the normal and the tangent row over its generalised velocities, and the impact there.
+/// A body in a plane on a contact: the normal and the tangent row over its generalised velocities, and the impact
+/// there.
 fn planar_impact(
     inverse_mass: &[f64],
     rows: [&[f64]; 2],
@@ -429,7 +430,8 @@ struct Reference {
     phases: &'static [PhaseKind],
 }
 
-/// Twelve times the matrix of a body of 1 kg and moments (2, 3, 4) kg m^2, arm (-1/2, 1, 2) m along normal and tangents.
+/// Twelve times the matrix of a body of 1 kg and moments (2, 3, 4) kg m^2, arm (-1/2, 1, 2) m along normal and
+/// tangents.
 const TILTED: [[f64; 3]; 3] = [
     [2.583_333_333_333_333_5, 0.125, 0.333_333_333_333_333_3],
     [0.125, 3.0625, -1.0],

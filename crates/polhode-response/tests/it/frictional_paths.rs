@@ -192,7 +192,8 @@ proptest! {
         }
     }
 
-    /// The plane: slip, stop, stick or reverse, by the impulse diagram of Wang and Mason, written as text books have it.
+    /// The plane: slip, stop, stick or reverse, by the impulse diagram of Wang and Mason, written as text books have
+    /// it.
     #[test]
     fn impulse_diagram_in_the_plane(
         inertia in 0.05..5.0_f64,

@@ -30,8 +30,8 @@ fn a_block_holds_together_or_not_at_all() {
     assert_eq!(problem.push_block(Law::Push, &[x, y]), Err(ResponseError::BlockRows { expected: 1, found: 2 }));
 }
 
-/// One entry solves blocks with friction and without it: a mass pressed on a floor, under a force along it, slides with what
-/// friction leaves, in three dimensions, and a solver without friction refuses the block instead of holding it.
+/// One entry solves blocks with friction and without it: a mass pressed on a floor, under a force along it, slides with
+/// what friction leaves, in three dimensions, and a solver without friction refuses the block instead of holding it.
 #[test]
 fn one_entry_solves_cones_and_contacts_without_friction() {
     let rows = AXES.each_ref().map(|axis| [(0, axis.as_slice())]);
@@ -74,8 +74,8 @@ fn a_law_that_makes_no_sense_is_refused() {
     assert!(problem.is_empty() && !problem.has_friction());
 }
 
-/// Joints have no restitution of their own, which must not pass for one that differs from the contacts': of two contacts and a
-/// joint, an elastic impact keeps its energy by every law, in one round.
+/// Joints have no restitution of their own, which must not pass for one that differs from the contacts': of two
+/// contacts and a joint, an elastic impact keeps its energy by every law, in one round.
 #[test]
 fn the_restitution_of_joints_is_not_asked_for() {
     // A plank of 1 kg and 1/3 kg m^2 in a plane, held at its left end, strikes supports in the middle and at the right.

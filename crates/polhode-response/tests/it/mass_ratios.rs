@@ -114,15 +114,17 @@ fn bad_input_is_refused() {
     assert!(least_norm_forces(&none, &none.delassus(), &[]).unwrap().forces.is_empty());
 }
 
-/// Forces of a heavy body that cancel on a light one leave what their loads do: `b + J M^-1 (J^T f)` from the forces is that from
-/// their sums to the rounding of the forces, and from sums that balance it is zero to the rounding of gravity.
+/// Forces of a heavy body that cancel on a light one leave what their loads do: `b + J M^-1 (J^T f)` from the forces is
+/// that from their sums to the rounding of the forces, and from sums that balance it is zero to the rounding of
+/// gravity.
 #[test]
 fn accelerations_do_not_contain_the_rounding_of_products() {
     let scene = shifted(&[1.0, 1e8, 1e4]);
     let least = least_norm_forces(&scene.problem, &scene.problem.delassus(), &scene.b).unwrap();
     let largest = |values: &[f64]| values.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
     let by_forces = largest(&scene.problem.accelerations(&scene.b, &least.forces).unwrap());
-    // Each of the forces on the body of 1 kg is rounded to half a unit in its last place, and moves a corner by up to 7 / kg.
+    // Each of the forces on the body of 1 kg is rounded to half a unit in its last place, and moves a corner by up to 7
+    // / kg.
     let rounding = 0.5 * f64::EPSILON * least.forces.iter().map(|force| 7.0 * force.abs()).sum::<f64>();
     assert!(by_forces <= rounding, "{by_forces:e} of {rounding:e}");
     let loads = least.loads.unwrap();

@@ -1,8 +1,8 @@
 //! Impacts with friction at several contacts: energy, Coulomb's law, and what they must agree with.
 //!
 //! Random structures of 1 to 8 contacts: boxes on some of their corners, balls in rows and heaps, bodies that touch
-//! anywhere. Without friction the answer is that of the reflection; contacts that do not move each other have the answers
-//! of single contacts; a row of balls with friction still passes momentum on.
+//! anywhere. Without friction the answer is that of the reflection; contacts that do not move each other have the
+//! answers of single contacts; a row of balls with friction still passes momentum on.
 
 use crate::cases::few;
 use crate::free_bodies::{Vector, cross, free_bodies, random_vector, tangents, unit};
@@ -258,7 +258,8 @@ fn without_friction_it_is_the_reflection() {
     assert!(compared > 200, "{compared}");
 }
 
-/// The reflection of contacts with this Delassus matrix, through a problem of one body whose inverse mass is the matrix.
+/// The reflection of contacts with this Delassus matrix, through a problem of one body whose inverse mass is the
+/// matrix.
 fn reflect(u_before: &[f64], entry: &dyn Fn(usize, usize) -> f64, restitution: f64) -> Option<Vec<f64>> {
     let count = u_before.len();
     let inverse = (0..count * count).map(|k| entry(k / count, k % count)).collect();
@@ -311,7 +312,8 @@ fn separate_contacts_are_single_impacts() {
     }
 }
 
-/// A cradle of five rough balls passes the momentum on; the ball that was hit last leaves, and friction has no slip to act on.
+/// A cradle of five rough balls passes the momentum on; the ball that was hit last leaves, and friction has no slip to
+/// act on.
 #[test]
 fn cradle_of_rough_balls() {
     let mut velocities = vec![0.0; 30];
@@ -352,8 +354,8 @@ fn symmetric_impacts_stay_symmetric() {
     assert!(outcome.energy_change < 0.0);
 }
 
-/// Painleve's rod beside a wall that its upper end leaves: two contacts, of which one jams. The impulse is that of the foot
-/// alone, in closed form. Below the critical friction finite forces exist, and nothing happens.
+/// Painleve's rod beside a wall that its upper end leaves: two contacts, of which one jams. The impulse is that of the
+/// foot alone, in closed form. Below the critical friction finite forces exist, and nothing happens.
 #[test]
 fn jam_beside_a_wall() {
     let (sin, cos) = (0.75_f64.sqrt(), 0.5);
@@ -392,8 +394,8 @@ fn jam_beside_a_wall() {
     }
 }
 
-/// Turning the tangents of every contact, and other units of mass and speed, turn and scale the answer: boxes and heaps of
-/// balls with common friction.
+/// Turning the tangents of every contact, and other units of mass and speed, turn and scale the answer: boxes and heaps
+/// of balls with common friction.
 #[test]
 fn tangents_and_units_are_a_matter_of_choice() {
     let mut compared = 0;

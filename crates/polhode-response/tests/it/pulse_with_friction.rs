@@ -1,8 +1,8 @@
 //! The pulse law with friction: contacts as springs, while friction stops, turns and reverses the slip.
 //!
-//! One contact has a closed form, Routh's path to Stronge's end. Given twice, at the same place, it is two springs that move each
-//! other, so that the integration must meet the closed form. Without friction the law is that of the chains. It never raises
-//! the energy, keeps Coulomb's cone, and knows neither left nor right.
+//! One contact has a closed form, Routh's path to Stronge's end. Given twice, at the same place, it is two springs that
+//! move each other, so that the integration must meet the closed form. Without friction the law is that of the chains.
+//! It never raises the energy, keeps Coulomb's cone, and knows neither left nor right.
 
 use crate::cases::few;
 use polhode_response::friction::FrictionProblem;
@@ -225,8 +225,8 @@ fn light_between_heavy(light: f64) -> (Vec<Vec<f64>>, Vec<f64>) {
     (rows, before)
 }
 
-/// A light ball between two heavy ones is compressed hundreds of times, and the impact still ends by itself; so do contacts that
-/// lose nearly all that they take.
+/// A light ball between two heavy ones is compressed hundreds of times, and the impact still ends by itself; so do
+/// contacts that lose nearly all that they take.
 #[test]
 fn light_bodies_and_lossy_contacts_end_by_themselves() {
     for (light, restitution) in [(1e-4, 1.0), (1e-6, 1.0), (1e-2, 0.5), (1e-2, 0.0), (1.0, 0.0), (1.0, 0.03)] {
@@ -238,8 +238,8 @@ fn light_bodies_and_lossy_contacts_end_by_themselves() {
     }
 }
 
-/// Where a light body loses much of its energy between heavy ones, it is compressed as often as the ratio of masses says: the law
-/// gives up, says so, and what is left is stopped, which is what the law tends to.
+/// Where a light body loses much of its energy between heavy ones, it is compressed as often as the ratio of masses
+/// says: the law gives up, says so, and what is left is stopped, which is what the law tends to.
 #[test]
 fn a_light_body_that_loses_energy_between_heavy_ones_is_told() {
     let (rows, before) = light_between_heavy(1e-4);
@@ -271,8 +271,8 @@ fn rolling_is_refused() {
 proptest! {
     #![proptest_config(few(8))]
 
-    /// Bodies of six coordinates with one to four contacts anywhere: the energy falls, impulses are in their cones, nothing
-    /// approaches.
+    /// Bodies of six coordinates with one to four contacts anywhere: the energy falls, impulses are in their cones,
+    /// nothing approaches.
     #[test]
     fn energy_never_rises(
         numbers in prop::collection::vec(-1.0f64..1.0, 4 * 3 * 6 + 6),

@@ -1,9 +1,9 @@
-//! Contacts that resist rolling and spinning as well as slip: each of the three keeps to a law of Coulomb's kind, whatever the
-//! bodies and however long the lengths of friction are, and an impact never gives energy.
+//! Contacts that resist rolling and spinning as well as slip: each of the three keeps to a law of Coulomb's kind,
+//! whatever the bodies and however long the lengths of friction are, and an impact never gives energy.
 //!
-//! Random structures of 1 to 8 contacts: boxes on some of their corners, bodies in heaps that touch each other and the ground
-//! anywhere, with moments of inertia that differ a hundredfold. Judged by the law itself, written here afresh. All of 400 structures
-//! are solved; of others one in some thousands is not, and says so.
+//! Random structures of 1 to 8 contacts: boxes on some of their corners, bodies in heaps that touch each other and the
+//! ground anywhere, with moments of inertia that differ a hundredfold. Judged by the law itself, written here afresh.
+//! All of 400 structures are solved; of others one in some thousands is not, and says so.
 
 use crate::cases::few;
 use crate::free_bodies::{Vector, cross, free_bodies, random_vector, tangents, unit};
@@ -128,8 +128,8 @@ fn random_box(noise: &mut Noise) -> Structure {
     structure
 }
 
-/// Bodies in a heap, each touching some others and perhaps the ground. Normals follow from the places of the centres, so
-/// that the heap can always fly apart.
+/// Bodies in a heap, each touching some others and perhaps the ground. Normals follow from the places of the centres,
+/// so that the heap can always fly apart.
 fn random_heap(noise: &mut Noise) -> Structure {
     let count = 1 + noise.below(5);
     let bodies: Vec<(f64, Vector)> = (0..count)
@@ -199,7 +199,8 @@ proptest! {
         prop_assert!(violation < 1e-7, "{violation:e} {:?}", solution.report);
     }
 
-    /// An impact settles, obeys the laws with the velocities afterwards, leaves no contact that approaches, and takes energy.
+    /// An impact settles, obeys the laws with the velocities afterwards, leaves no contact that approaches, and takes
+    /// energy.
     #[test]
     fn impact_against_moments_of_friction_never_gives_energy(seed in 0_u64..400, in_order: bool) {
         let structure = random_structure(seed);
@@ -232,9 +233,10 @@ proptest! {
         }
     }
 
-    /// An elastic impact against friction of rolling alone loses no more than its moment may take on the way between the rotations
-    /// before and after. Where the rotation reverses, the moment against the one afterwards would give energy on that way; then
-    /// the restitution is lowered by as little as takes the gain out. (A cone on its rim lost a third of its energy by steps of a quarter.)
+    /// An elastic impact against friction of rolling alone loses no more than its moment may take on the way between
+    /// the rotations before and after. Where the rotation reverses, the moment against the one afterwards would give
+    /// energy on that way; then the restitution is lowered by as little as takes the gain out. (A cone on its rim lost
+    /// a third of its energy by steps of a quarter.)
     #[test]
     fn an_elastic_impact_loses_no_more_than_rolling_may_take(seed in 0_u64..400) {
         let mut noise = Noise::new(seed);
@@ -272,8 +274,8 @@ proptest! {
         let arm = random_vector(&mut noise);
         let spin = random_vector(&mut noise);
         let mut structure = Structure::of(&[(1.0, moments)], [cross(arm, spin), spin].concat());
-        // An impact along the arm, which the pivot takes whole, or any other. At angles between them bodies are wedged between
-        // pivot and surface, and the cone problem may find no answer.
+        // An impact along the arm, which the pivot takes whole, or any other. At angles between them bodies are wedged
+        // between pivot and surface, and the cone problem may find no answer.
         let turned = [0.0, 1e-16, 1.0][noise.below(3)];
         let normal = unit([0, 1, 2].map(|k| arm[k] + turned * noise.signed()));
         let touch = [0, 1, 2].map(|k| -arm[k] * 0.7);
@@ -295,7 +297,8 @@ proptest! {
             settings: &settings,
         };
         let outcome = impact.resolve().unwrap();
-        prop_assert!(outcome.status != MultipleImpactStatus::NotSolved, "{turned:e} {:?} {resists:?} {outcome:?}", contacts.constant());
+        prop_assert!(outcome.status != MultipleImpactStatus::NotSolved, "{turned:e} {:?} {resists:?} \
+            {outcome:?}", contacts.constant());
         let after = contacts.velocities(&outcome.impulses).unwrap();
         let terms = outcome.impulses.iter().zip(contacts.constant().iter().zip(&after));
         let terms = terms.map(|(p, (u, v))| 0.5 * p * (u + v));

@@ -1,5 +1,6 @@
-//! The thesis's forces of section 3.4 by its heuristic and by guesses: what they take for vanishing contacts, and how far they
-//! are from the exact motion. Guesses are exact wherever a set fits, which the active set confirms on random bodies.
+//! The thesis's forces of section 3.4 by its heuristic and by guesses: what they take for vanishing contacts, and how
+//! far they are from the exact motion. Guesses are exact wherever a set fits, which the active set confirms on random
+//! bodies.
 
 use crate::scenes::{Noise, pile};
 use polhode_response::{
@@ -34,8 +35,9 @@ fn no_contact_of_a_beam_on_pillars_vanishes() {
     }
 }
 
-/// Case RC-08: over the edge of a table (contacts at 1/2 and 2 on one side) least force takes the wrong contact; its bound
-/// says how wrong. Guesses find that the outer one carries nothing: G = 5/4, f = 4/5 at 1/2, and w = 2 * 4/5 - 1 at 2.
+/// Case RC-08: over the edge of a table (contacts at 1/2 and 2 on one side) least force takes the wrong contact; its
+/// bound says how wrong. Guesses find that the outer one carries nothing: G = 5/4, f = 4/5 at 1/2, and w = 2 * 4/5 - 1
+/// at 2.
 #[test]
 fn a_beam_over_the_edge_of_a_table() {
     let delassus = beam(&[0.5, 2.0]).delassus();
@@ -51,8 +53,8 @@ fn a_beam_over_the_edge_of_a_table() {
     assert!(first.report.bound < 1e-6 && first.added < 1e-12, "{first:?}");
 }
 
-/// On random piles a set fits and is exact: the accelerations are those of the active set, and what vanishes opens in them. The
-/// heuristic is exact in its first two stages, and its error is below its bound in the third.
+/// On random piles a set fits and is exact: the accelerations are those of the active set, and what vanishes opens in
+/// them. The heuristic is exact in its first two stages, and its error is below its bound in the third.
 #[test]
 fn guesses_are_exact() {
     let mut noise = Noise::new(7);

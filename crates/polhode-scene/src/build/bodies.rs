@@ -33,7 +33,8 @@ impl<'a> Bodies<'a> {
         })
     }
 
-    /// The handle of the body of this name, which forces must move: on another one, `key` (a kind of force) does nothing.
+    /// The handle of the body of this name, which forces must move: on another one, `key` (a kind of force) does
+    /// nothing.
     pub(super) fn movable(&self, name: &str, key: &'static str, path: &KeyPath) -> Result<BodyId, Fault> {
         let (number, body) = self.get(name, path)?;
         if body.is_fixed() {

@@ -9,7 +9,8 @@ use polhode::JointId;
 use polhode::scene::{Coordinate, Gear};
 use std::collections::BTreeMap;
 
-/// The joints that names of the scene stand for; of robots the coordinate too, since several of their joints may be one.
+/// The joints that names of the scene stand for; of robots the coordinate too, since several of their joints may be
+/// one.
 struct Joints {
     named: BTreeMap<String, (JointId, Option<Coordinate>)>,
 }

@@ -28,7 +28,8 @@ pub(super) fn build(file: &SceneFile, bodies: &Bodies<'_>, tracks: &Tracks<'_>, 
     file.joints.iter().enumerate().filter_map(of_entry).collect()
 }
 
-/// What an entry gives: the names of its bodies, its anchor, the path of its keys, what it leaves free, and what acts along that.
+/// What an entry gives: the names of its bodies, its anchor, the path of its keys, what it leaves free, and what acts
+/// along that.
 struct Entry<'a> {
     names: &'a [String],
     anchor: &'a Vector,

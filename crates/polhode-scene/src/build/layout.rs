@@ -1,12 +1,12 @@
 //! Where the bodies of an array stand.
 //!
 //! Grids, pyramids and walls: the first body stands at the position of the array, body (i, j, k) at
-//! `(i s_x, j s_y, k s_z)` from it, in courses shifted by half a spacing where the layout says so. Every second course of a wall
-//! begins and ends with half a brick, whose outer faces are flush with the ends of the others. A drop divides its region
-//! into equal cells, as large as leave room for all bodies, and puts every body into a cell of its own: the ball about its
-//! origin that holds it stays inside the cell, so that no two touch. Which cells stay empty, where in its cell a body is and
-//! how it is turned are random (uniform; the rotation is a point of the unit sphere in four dimensions), by [`SplitMix64`]:
-//! a seed gives the same bits everywhere.
+//! `(i s_x, j s_y, k s_z)` from it, in courses shifted by half a spacing where the layout says so. Every second course
+//! of a wall begins and ends with half a brick, whose outer faces are flush with the ends of the others. A drop divides
+//! its region into equal cells, as large as leave room for all bodies, and puts every body into a cell of its own: the
+//! ball about its origin that holds it stays inside the cell, so that no two touch. Which cells stay empty, where in
+//! its cell a body is and how it is turned are random (uniform; the rotation is a point of the unit sphere in four
+//! dimensions), by [`SplitMix64`]: a seed gives the same bits everywhere.
 //!
 //! Refused: no body, more than [`MOST_BODIES`], a spacing that puts bodies at one place, a region without room.
 
@@ -20,14 +20,15 @@ use polhode::spatial::{Rotation, SplitMix64};
 /// Most bodies of a scene with arrays: so many have 2^31 pairs, and a run that met them all would not end.
 pub(super) const MOST_BODIES: u64 = 1 << 16;
 
-/// How much wider the cell of a body in a drop is than the ball that holds the body, at least, relative to the ball: bodies
-/// start apart by more than rounding.
+/// How much wider the cell of a body in a drop is than the ball that holds the body, at least, relative to the ball:
+/// bodies start apart by more than rounding.
 const APART_RELATIVE: f64 = 1e-2;
 
 /// Halvings of the interval in which the edge of the cells of a drop is searched for: all bits of a number.
 const HALVINGS: usize = 64;
 
-/// Lengths of the vectors of which directions are made: shorter ones have too few digits, longer ones would not be uniform.
+/// Lengths of the vectors of which directions are made: shorter ones have too few digits, longer ones would not be
+/// uniform.
 const DIRECTION_LENGTHS: std::ops::RangeInclusive<f64> = 0.1..=1.0;
 
 /// What stands there.

@@ -28,6 +28,7 @@
 //! | `signal` | signals, which forces are multiplied by |
 //! | `spring` | springs |
 //! | `track` | tracks, and the joints that hold bodies to them |
+//! | `joint` | joints |
 
 mod approximate;
 mod array;

@@ -25,8 +25,8 @@ pub(crate) struct Built {
 /// The scene that a file describes; `name` is used when the file gives none.
 ///
 /// # Errors
-/// All that is refused: at least one. What is refused is replaced, so that the rest can be looked at; errors of the whole
-/// are looked for when its parts are sound.
+/// All that is refused: at least one. What is refused is replaced, so that the rest can be looked at; errors of the
+/// whole are looked for when its parts are sound.
 pub(crate) fn scene(file: &SceneFile, folder: &MeshFolder, name: &str) -> Result<Built, Vec<Fault>> {
     if file.format != format::VERSION {
         return Err(vec![(KeyPath::of(&["format"]), Refusal::Version(file.format))]);

@@ -1,7 +1,7 @@
 //! Where a value stands in a document: `bodies.2.mass`.
 //!
-//! A reader makes a path for each value that it takes, and needs it only for those that it refuses: keys that the program knows
-//! are not copied.
+//! A reader makes a path for each value that it takes, and needs it only for those that it refuses: keys that the
+//! program knows are not copied.
 
 use std::borrow::Cow;
 

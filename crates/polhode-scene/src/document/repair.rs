@@ -1,8 +1,8 @@
 //! All errors of a document at once.
 //!
-//! The reader of the format stops at its first error. To find the next ones, what is refused is taken out of the tree and
-//! the rest is read again. What then fails only because something was taken out (a shape without its size) is no error of
-//! its own and is not told.
+//! The reader of the format stops at its first error. To find the next ones, what is refused is taken out of the tree
+//! and the rest is read again. What then fails only because something was taken out (a shape without its size) is no
+//! error of its own and is not told.
 
 use super::key_path::{KeyPath, Step};
 use super::tree;

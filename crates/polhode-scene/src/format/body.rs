@@ -43,8 +43,8 @@ pub struct BodyEntry {
     pub velocity: Option<Vector>,
     /// Angular velocity, world, rad/s.
     pub angular_velocity: Option<Vector>,
-    /// Velocity of its surface over its shape, in the body's own frame, m/s: a belt. The shape does not move; at a contact
-    /// the part in the tangent plane counts, and only friction feels it.
+    /// Velocity of its surface over its shape, in the body's own frame, m/s: a belt. The shape does not move; at a
+    /// contact the part in the tangent plane counts, and only friction feels it.
     pub surface_velocity: Option<Vector>,
     /// Name of a material; without one friction and restitution are 0.
     pub material: Option<String>,
@@ -200,7 +200,8 @@ pub struct MeshEntry {
 #[derive(Debug, Clone, PartialEq, Default, serde::Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ApproximateEntry {
-    /// Most convex parts, 1 to 4096; 256 when absent. They are found by halving, so that there may be up to twice as many.
+    /// Most convex parts, 1 to 4096; 256 when absent. They are found by halving, so that there may be up to twice as
+    /// many.
     #[schemars(range(min = 1, max = 4096))]
     pub parts: Option<u32>,
     /// Largest difference of the volume of the parts from that of the solid, relative to it; not limited when absent.

@@ -27,8 +27,8 @@ pub struct GrainEntry {
     /// Across the grain.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub across: f64,
-    /// Direction of the grain, of any length, in the frame of each body of the material; of a pair, of the bodies of its
-    /// first material. A pair may leave it out: then it is the grain that one of the materials has.
+    /// Direction of the grain, of any length, in the frame of each body of the material; of a pair, of the bodies of
+    /// its first material. A pair may leave it out: then it is the grain that one of the materials has.
     pub direction: Option<Vector>,
 }
 

@@ -310,8 +310,8 @@ pub struct UniversalJointEntry {
     pub bodies: Vec<String>,
     /// The point at t = 0, m, world.
     pub anchor: Vector,
-    /// The directions of the axes at t = 0, world, at right angles: the first of the first body, the second of the other or of the
-    /// world.
+    /// The directions of the axes at t = 0, world, at right angles: the first of the first body, the second of the
+    /// other or of the world.
     pub axes: Exactly<Vector, 2>,
 }
 
@@ -342,11 +342,11 @@ pub struct TrackJointEntry {
     /// What of the body follows the track.
     #[serde(default)]
     pub follows: FollowsName,
-    /// With `follows = "frame"`: the direction at t = 0, world, against which the body does not lean; without this key the normal of the
-    /// plane of the track.
+    /// With `follows = "frame"`: the direction at t = 0, world, against which the body does not lean; without this key
+    /// the normal of the plane of the track.
     pub up: Option<Vector>,
-    /// One-sided: the track only pushes, to the side to which this direction points at t = 0, world. Without this key it holds from
-    /// both sides.
+    /// One-sided: the track only pushes, to the side to which this direction points at t = 0, world. Without this key
+    /// it holds from both sides.
     pub side: Option<Vector>,
     /// Coefficient of restitution where the body lands on a one-sided track, and at `ends = "stops"`.
     #[schemars(range(min = 0.0, max = 1.0))]

@@ -191,8 +191,8 @@ pub enum ContactName {
 pub enum ResponseName {
     /// By forces that keep bodies from overlapping, and impulses where they hit.
     Constraint,
-    /// By impulses alone, where bodies approach: tier micro-collisions when no tier is named. With tier thesis (thesis 3.3) resting
-    /// bodies sink.
+    /// By impulses alone, where bodies approach: tier micro-collisions when no tier is named. With tier thesis (thesis
+    /// 3.3) resting bodies sink.
     Impulse,
     /// By impulses, and bodies that overlap are moved apart; tier thesis (thesis 3.3): resting bodies vibrate.
     ImpulseProjection,

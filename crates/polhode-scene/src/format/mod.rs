@@ -20,6 +20,8 @@
 //! | `signal` | [`SignalEntry`]: numbers as functions of time |
 //! | `exactly` | [`Exactly`]: arrays of an exact length |
 //! | `planned` | members that are designed but not built, refused as `not yet available` |
+//! | `promise` | what a run promises, where a scene sets other limits than its tier |
+//! | `track` | tracks that joints hold bodies to |
 
 mod array;
 mod body;

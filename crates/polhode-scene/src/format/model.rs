@@ -30,8 +30,8 @@ pub struct ModelEntry {
     /// What becomes of inertias that no body can have: the robot is refused, unless they are repaired.
     #[serde(default)]
     pub unphysical: UnphysicalName,
-    /// Folders that hold the packages of `package://` names, relative to the scene file; the folders above the robot file are
-    /// looked at too.
+    /// Folders that hold the packages of `package://` names, relative to the scene file; the folders above the robot
+    /// file are looked at too.
     #[serde(default)]
     pub packages: Vec<String>,
     /// Name of a material of all its bodies; without one friction and restitution are 0.

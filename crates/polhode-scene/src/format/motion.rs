@@ -26,8 +26,8 @@ pub struct ConstantMotionEntry {
     pub angular_velocity: Option<Vector>,
 }
 
-/// With s = sin(2 pi frequency t + phase): the body's own origin is moved by amplitude s, and the body turned about it by
-/// the angle s; amplitude, or axis and angle, or all three.
+/// With s = sin(2 pi frequency t + phase): the body's own origin is moved by amplitude s, and the body turned about it
+/// by the angle s; amplitude, or axis and angle, or all three.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct SineMotionEntry {
@@ -44,8 +44,8 @@ pub struct SineMotionEntry {
     pub angle: Option<f64>,
 }
 
-/// Samples: positions, orientations, or both, one for each time. Before the first and after the last one the body stands
-/// still.
+/// Samples: positions, orientations, or both, one for each time. Before the first and after the last one the body
+/// stands still.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct TableMotionEntry {
@@ -58,7 +58,8 @@ pub struct TableMotionEntry {
     /// Orientations as unit quaternions [w, x, y, z]; or rotation_vectors; the body's orientation when both are absent.
     #[schemars(length(min = 2))]
     pub orientations: Option<Vec<Exactly<f64, 4>>>,
-    /// Orientations as axis times angle, rad, that change by less than half a turn from sample to sample; or orientations.
+    /// Orientations as axis times angle, rad, that change by less than half a turn from sample to sample; or
+    /// orientations.
     #[schemars(length(min = 2))]
     pub rotation_vectors: Option<Vec<Vector>>,
     /// What is between the samples; monotone when absent.
@@ -71,8 +72,10 @@ pub struct TableMotionEntry {
 pub enum InterpolationEntry {
     /// A smooth curve of which every coordinate stays between two neighbouring samples.
     Monotone,
-    /// The cubic spline, which is more accurate for samples of a smooth motion, and overshoots where samples turn or stop.
+    /// The cubic spline, which is more accurate for samples of a smooth motion, and overshoots where samples turn or
+    /// stop.
     Spline,
-    /// Constant velocity from sample to sample; it jumps at the samples, so that the body may not touch others that move.
+    /// Constant velocity from sample to sample; it jumps at the samples, so that the body may not touch others that
+    /// move.
     Linear,
 }

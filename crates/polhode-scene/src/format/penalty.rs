@@ -13,8 +13,8 @@ pub struct PenaltyEntry {
     pub damping: Option<SpringDampingName>,
     /// Friction of the springs; mindlin when absent.
     pub friction: Option<SpringFrictionName>,
-    /// Penetration that linear springs are to keep, m; a thousandth of the smallest body when absent. Stiffness follows from it,
-    /// the weights and the speeds of the scene.
+    /// Penetration that linear springs are to keep, m; a thousandth of the smallest body when absent. Stiffness follows
+    /// from it, the weights and the speeds of the scene.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub penetration_m: Option<f64>,
     /// Stiffness of linear springs, N/m, in place of a penetration.

@@ -41,7 +41,8 @@ pub(crate) struct Request {
 const PLANNED: &[Planned] = &[Planned {
     path: &["method", "contact"],
     values: &["interior-point"],
-    instead: "active-set, with tier fast sequential-impulses or nncg, or with tier thesis least-force, heuristic or guesses",
+    instead: "active-set, with tier fast sequential-impulses or nncg, or with tier thesis least-force, heuristic or \
+        guesses",
 }];
 
 /// The first planned member that a document asks for, in the order of the list.

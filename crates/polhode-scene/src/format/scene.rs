@@ -76,8 +76,8 @@ pub struct SceneFile {
 #[derive(Debug, Clone, PartialEq, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct StartEntry {
-    /// Bodies that overlap at t = 0 by at most this, m, are moved apart, and the report says so; 0 when absent: bodies that
-    /// overlap by more than counts as touch (1e-9 of their size) are refused.
+    /// Bodies that overlap at t = 0 by at most this, m, are moved apart, and the report says so; 0 when absent: bodies
+    /// that overlap by more than counts as touch (1e-9 of their size) are refused.
     #[schemars(range(min = 0))]
     pub separate: Option<f64>,
 }

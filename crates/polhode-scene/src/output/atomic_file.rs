@@ -1,9 +1,9 @@
 //! A file that appears under its name when it is complete, and not before.
 //!
 //! While it grows it is locked. A temporary file of the same target that nobody has locked was left behind by a program
-//! that was killed. When the target is written again, such a file is kept under the name with `.partial` at its end if a
-//! readable file can be made of it, and removed otherwise, so that such files never pile up; [`AtomicFile::left_behind`]
-//! says what was found.
+//! that was killed. When the target is written again, such a file is kept under the name with `.partial` at its end if
+//! a readable file can be made of it, and removed otherwise, so that such files never pile up;
+//! [`AtomicFile::left_behind`] says what was found.
 
 use std::fs::{self, File};
 use std::io::{self, BufWriter, Seek, SeekFrom, Write};
@@ -31,7 +31,8 @@ pub struct LeftBehind {
 /// What makes a complete file of one that ends anywhere.
 type Mender = Box<dyn FnOnce(&mut File) -> io::Result<()> + Send>;
 
-/// A file that grows, for a program that must end at once: another thread may still be within a step, and never ends it.
+/// A file that grows, for a program that must end at once: another thread may still be within a step, and never ends
+/// it.
 pub struct Unfinished {
     temporary: PathBuf,
     partial: PathBuf,
@@ -45,8 +46,8 @@ impl std::fmt::Debug for Unfinished {
 }
 
 impl Unfinished {
-    /// Moves what has reached the disk to the name with `.partial` at its end, which is returned, and makes a readable file
-    /// of it. The program must end now: nothing more may be written.
+    /// Moves what has reached the disk to the name with `.partial` at its end, which is returned, and makes a readable
+    /// file of it. The program must end now: nothing more may be written.
     ///
     /// # Errors
     /// Those of renaming: then nothing is kept.
@@ -77,8 +78,8 @@ impl AtomicFile {
         Self::create_mending(target, |_| Err(io::ErrorKind::InvalidData.into()))
     }
 
-    /// As [`AtomicFile::create`]; `mend` makes a readable file of one of this kind that ends anywhere, or fails where there
-    /// is nothing to keep.
+    /// As [`AtomicFile::create`]; `mend` makes a readable file of one of this kind that ends anywhere, or fails where
+    /// there is nothing to keep.
     ///
     /// # Errors
     /// As [`AtomicFile::create`].
@@ -154,8 +155,8 @@ impl AtomicFile {
         Some(Unfinished { temporary, partial: self.partial(), mend: Box::new(mend) })
     }
 
-    /// After a fault of writing (a full disk): lets `mend` make a readable file of what has reached the disk, and keeps it
-    /// under the name with `.partial` at its end, which is returned.
+    /// After a fault of writing (a full disk): lets `mend` make a readable file of what has reached the disk, and keeps
+    /// it under the name with `.partial` at its end, which is returned.
     ///
     /// # Errors
     /// Those of `mend` and of renaming.
@@ -259,8 +260,8 @@ fn found_left_behind(
 /// Ending of the names of temporary files.
 const SUFFIX: &str = ".tmp";
 
-/// Readable and writable by all whom the process's mask lets: a temporary file is by default its owner's alone, and keeps
-/// that under its final name.
+/// Readable and writable by all whom the process's mask lets: a temporary file is by default its owner's alone, and
+/// keeps that under its final name.
 #[cfg(unix)]
 fn as_other_files() -> fs::Permissions {
     std::os::unix::fs::PermissionsExt::from_mode(0o666)

@@ -32,8 +32,8 @@ impl Csv {
 const FIRST_TAIL: u64 = 1 << 16;
 
 impl Csv {
-    /// Bytes of the last sample in the end of a file, when rows of it are missing; 0 when it is whole. None when the end of
-    /// the file does not hold it all, and is not all of the file.
+    /// Bytes of the last sample in the end of a file, when rows of it are missing; 0 when it is whole. None when the
+    /// end of the file does not hold it all, and is not all of the file.
     fn part_of_a_sample(&self, tail: &[u8], is_all: bool) -> Option<u64> {
         let mut rows = tail.split_inclusive(|&byte| byte == b'\n').rev();
         let time = |row: &[u8]| row.iter().position(|&byte| byte == b',').map(|at| row[..at].to_vec());

@@ -6,9 +6,9 @@ use polhode::scene::Coordinate;
 use polhode::{JointId, JointSample};
 use std::io;
 
-/// Columns of the joints file: time (s), the joint, its coordinates with their rates (rad, rad/s, m, m/s; empty where the joint has no
-/// such coordinate), the force (N) and the moment (N m) on its first body at its anchor in the world, and the power that it gives to its
-/// bodies (W).
+/// Columns of the joints file: time (s), the joint, its coordinates with their rates (rad, rad/s, m, m/s; empty where
+/// the joint has no such coordinate), the force (N) and the moment (N m) on its first body at its anchor in the world,
+/// and the power that it gives to its bodies (W).
 pub const JOINT_COLUMNS: [&str; 15] = [
     "t",
     "joint",

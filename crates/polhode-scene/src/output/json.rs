@@ -1,6 +1,7 @@
 //! Trajectories as JSON: one object with the bodies' names, the columns and the samples.
 //!
-//! `{"scene": .., "bodies": [name, ..], "columns": ["px", .., "wz"], "samples": [{"t": .., "states": [[13 numbers], ..]}, ..]}`
+//! `{"scene": .., "bodies": [name, ..], "columns": ["px", .., "wz"], "samples": [{"t": .., "states": [[13 numbers],
+//! ..]}, ..]}`
 
 use super::{COLUMNS, Sink, TrajectoryFormat, cut_to_line, numbers};
 use polhode::BodySample;

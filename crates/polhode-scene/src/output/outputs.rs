@@ -86,7 +86,8 @@ impl OutputError {
 
 /// Writes the samples and events of a run to files while it goes on.
 ///
-/// The first fault stops the run at the end of the step; [`Outputs::finish`] returns it. All files reach the disk together, at the ends of steps.
+/// The first fault stops the run at the end of the step; [`Outputs::finish`] returns it. All files reach the disk
+/// together, at the ends of steps.
 #[derive(Debug)]
 pub struct Outputs {
     bodies: Vec<String>,
@@ -101,7 +102,8 @@ impl Outputs {
     /// Opens files for the trajectory of `scene`, of the kinds their endings say, and for its events (CSV).
     ///
     /// # Errors
-    /// When an ending is unknown or that of events is another than `.csv`, a name is given twice or a file cannot be opened.
+    /// When an ending is unknown or that of events is another than `.csv`, a name is given twice or a file cannot be
+    /// opened.
     pub fn create(scene: &Scene, trajectories: &[PathBuf], events: Option<&Path>) -> Result<Self, OutputError> {
         let bodies: Vec<String> = scene.bodies().iter().map(|body| body.name().to_owned()).collect();
         let mut all: Vec<&Path> = trajectories.iter().map(PathBuf::as_path).chain(events).collect();
@@ -165,8 +167,8 @@ impl Outputs {
     /// Completes all files and moves them to their names.
     ///
     /// # Errors
-    /// The first fault of writing. No file then appears under its own name but those that were moved before the fault; what
-    /// had been written of the others is kept as [`Outputs::keep_partial`] does.
+    /// The first fault of writing. No file then appears under its own name but those that were moved before the fault;
+    /// what had been written of the others is kept as [`Outputs::keep_partial`] does.
     pub fn finish(mut self) -> Result<(), OutputError> {
         let written = match self.fault.take() {
             Some(fault) => Err(fault),
@@ -230,8 +232,8 @@ impl Outputs {
         self.files().map(|file| file.keep_partial().map_err(|source| fault(file.target(), source))).collect()
     }
 
-    /// Brings all files to the disk as soon as a part of one has come there: what a program that is killed leaves of samples, events and joints
-    /// ends at the same time.
+    /// Brings all files to the disk as soon as a part of one has come there: what a program that is killed leaves of
+    /// samples, events and joints ends at the same time.
     fn flush_together(&mut self) -> Result<(), OutputError> {
         if !self.files().any(|file| file.has_spilled()) {
             return Ok(());

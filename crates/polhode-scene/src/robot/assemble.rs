@@ -1,7 +1,8 @@
 //! From a robot to bodies and joints of a scene.
 //!
-//! A body is made of the links that fixed joints connect; it has the name of the one nearest to the root and its frame. A part at the
-//! end of a branch that has no mass is left out. The bodies that do not move (the world, a fixed base) are ground.
+//! A body is made of the links that fixed joints connect; it has the name of the one nearest to the root and its frame.
+//! A part at the end of a branch that has no mass is left out. The bodies that do not move (the world, a fixed base)
+//! are ground.
 
 use super::combine::{self, Combined};
 use super::finding::{Finding, Findings, RobotDefect};
@@ -16,8 +17,8 @@ use polhode::spatial::{Pose, UnitVector};
 use polhode::{Body, BodyId};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Largest distance of the ends of a loop that counts as closed, m for each metre of the robot (no unit, 1e-9 to 1e-3: the digits
-/// of a file).
+/// Largest distance of the ends of a loop that counts as closed, m for each metre of the robot (no unit, 1e-9 to 1e-3:
+/// the digits of a file).
 const CLOSED: f64 = 1e-6;
 
 /// What holds the root link.
@@ -214,7 +215,8 @@ impl Making<'_> {
         carries
     }
 
-    /// The joints from the nearest group with mass, or the root, to a group; none when groups without mass between them branch.
+    /// The joints from the nearest group with mass, or the root, to a group; none when groups without mass between them
+    /// branch.
     fn chain(&mut self, group: usize) -> Option<Vec<usize>> {
         let mut chain = Vec::new();
         let mut at = group;

@@ -1,21 +1,22 @@
-//! Joints one after the other with nothing of mass between them are one joint: two hinges whose axes cross at right angles are a
-//! universal joint, three a ball joint, and so on. Files describe such joints by parts without mass, or by several joints of one
-//! body; a part without mass has no equation of motion.
+//! Joints one after the other with nothing of mass between them are one joint: two hinges whose axes cross at right
+//! angles are a universal joint, three a ball joint, and so on. Files describe such joints by parts without mass, or by
+//! several joints of one body; a part without mass has no equation of motion.
 
 use super::finding::{Findings, RobotDefect};
 use super::model::{Robot, RobotCoordinate, RobotJoint, RobotJointKind};
 use glam::{DMat3, DVec3};
 use polhode::spatial::{Pose, UnitVector};
 
-/// Axes of length one that are to be parallel or at right angles: their cosines from 1 and 0 (no unit, 1e-12 to 1e-6: the
-/// digits of a file, and the limit of the engine for axes at right angles).
+/// Axes of length one that are to be parallel or at right angles: their cosines from 1 and 0 (no unit, 1e-12 to 1e-6:
+/// the digits of a file, and the limit of the engine for axes at right angles).
 const ALONG: f64 = 1e-9;
 
-/// Distance of axes that are to cross, relative to the largest coordinate or 1 m, whichever is more (no unit, 1e-12 to 1e-6: the
-/// digits of a file).
+/// Distance of axes that are to cross, relative to the largest coordinate or 1 m, whichever is more (no unit, 1e-12 to
+/// 1e-6: the digits of a file).
 const CROSSING: f64 = 1e-9;
 
-/// Least volume that three axes of length one must span to be independent (no unit, 1e-3 to 0.1): at less they lose a freedom.
+/// Least volume that three axes of length one must span to be independent (no unit, 1e-3 to 0.1): at less they lose a
+/// freedom.
 const INDEPENDENT: f64 = 1e-2;
 
 /// A joint between two bodies, in the frame of the model at the start.

@@ -82,7 +82,8 @@ impl Element {
         self.children.iter().filter(move |child| child.name == name)
     }
 
-    /// What is written in xacro, the first of it with its element: an element of that language, or an attribute with an expression.
+    /// What is written in xacro, the first of it with its element: an element of that language, or an attribute with an
+    /// expression.
     pub(super) fn xacro(&self) -> Option<(&Self, String)> {
         let is_expression = |value: &str| value.contains("${") || value.contains("$(");
         let expression = || self.attributes.iter().find(|(_, value)| is_expression(value));

@@ -1,5 +1,5 @@
-//! What a robot file is refused for, what differs from what it asks for, and what of it is ignored: each with its place, its
-//! size and its cure.
+//! What a robot file is refused for, what differs from what it asks for, and what of it is ignored: each with its
+//! place, its size and its cure.
 
 use crate::mesh_file_error::MeshFileError;
 use glam::DVec3;
@@ -166,7 +166,8 @@ pub enum RobotDefect {
     #[error("its axis {0} has no length")]
     Axis(DVec3),
     /// The lower limit is above the upper one.
-    #[error("its limits contradict each other: the lower one is {lower}, the upper one {upper}, which leaves {} less than nothing", upper - lower)]
+    #[error("its limits contradict each other: the lower one is {lower}, the upper one {upper}, which leaves {} less \
+        than nothing", upper - lower)]
     Limits {
         /// The lower limit, rad or m.
         lower: f64,
@@ -324,7 +325,8 @@ pub enum RobotDefect {
         density: f64,
     },
     /// The centre of mass is outside the shape.
-    #[error("its centre of mass is {} m outside the box around its shape, which is {} m large", few(*distance), few(*size))]
+    #[error("its centre of mass is {} m outside the box around its shape, which is {} m \
+        large", few(*distance), few(*size))]
     CenterOutside {
         /// Distance from the box, m.
         distance: f64,
@@ -368,7 +370,8 @@ pub enum RobotDefect {
     },
     /// Limits, springs or dampers of a joint that has no coordinate for them.
     #[error(
-        "it is part of a {0} joint, along whose coordinates nothing acts: its limits, springs, dampers and friction are not kept"
+        "it is part of a {0} joint, along whose coordinates nothing acts: its limits, springs, dampers and friction \
+         are not kept"
     )]
     Unlimited(&'static str),
     /// A configuration gives a coordinate that follows another one a value that does not follow.
@@ -443,7 +446,8 @@ impl RobotDefect {
             Self::DuplicateName(_) => "names must differ",
             Self::TwoParents { .. } => "a link hangs at one joint: close loops by joints of the scene",
             Self::Cycle(_) => {
-                "the joints of a URDF make a tree: take out one of these joints, and close the loop by a joint of the scene"
+                "the joints of a URDF make a tree: take out one of these joints, and close the loop by a joint of the \
+                 scene"
             }
             Self::SecondRoot(_) => "one link is the root: join the others to it, by fixed joints if need be",
             Self::Axis(_) => "accepted: a direction of any length but zero",
@@ -459,7 +463,9 @@ impl RobotDefect {
                 "give it its mass, or have the inertia left out: `--set models.0.unphysical=repair`"
             }
             Self::Inertia(_) => {
-                "take it from the CAD program anew (about the centre of mass, kg m^2), compute it from a mesh (`polhode mesh FILE --mass M`), or have it replaced by the nearest one that a body can have: `--set models.0.unphysical=repair`"
+                "take it from the CAD program anew (about the centre of mass, kg m^2), compute it from a mesh \
+                 (`polhode mesh FILE --mass M`), or have it replaced by the nearest one that a body can have: `--set \
+                 models.0.unphysical=repair`"
             }
             Self::Massless => "give it an <inertial>, or fix it to its parent",
             Self::NoInertia(_) => "give it an inertia about all axes, however small",

@@ -1,7 +1,7 @@
 //! Where the meshes of a robot file are: names relative to the file, `file://`, and `package://` of ROS.
 //!
-//! A package is a folder of its name. It is looked for in the folders that the scene names, then beside the robot file and in each
-//! folder above it.
+//! A package is a folder of its name. It is looked for in the folders that the scene names, then beside the robot file
+//! and in each folder above it.
 
 use std::path::{Path, PathBuf};
 

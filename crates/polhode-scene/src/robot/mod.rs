@@ -1,7 +1,8 @@
 //! Robots from files: URDF and MJCF.
 //!
-//! A file is read into a tree of links in its own frames ([`Robot`]), whatever its format, and then assembled into bodies and joints
-//! of a scene. All that is wrong with it, differs from it or is ignored of it is a [`Finding`] with its place and its cure.
+//! A file is read into a tree of links in its own frames ([`Robot`]), whatever its format, and then assembled into
+//! bodies and joints of a scene. All that is wrong with it, differs from it or is ignored of it is a [`Finding`] with
+//! its place and its cure.
 //!
 //! | module | holds |
 //! |---|---|

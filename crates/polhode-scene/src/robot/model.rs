@@ -1,7 +1,8 @@
-//! A robot as its file describes it: a tree of links that joints connect, in the frames of the file, in SI units. Nothing here knows
-//! which format it was read from.
+//! A robot as its file describes it: a tree of links that joints connect, in the frames of the file, in SI units.
+//! Nothing here knows which format it was read from.
 //!
-//! `X_PL` is the pose of a link in its parent at the reference value of its joint, `X_LG` that of a geometry in its link.
+//! `X_PL` is the pose of a link in its parent at the reference value of its joint, `X_LG` that of a geometry in its
+//! link.
 
 use super::finding::RobotPlace;
 use glam::{DMat3, DVec3};

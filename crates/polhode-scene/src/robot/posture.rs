@@ -1,6 +1,7 @@
 //! Where the links of a robot are: from the values of its coordinates to poses.
 //!
-//! `X_ML = X_MP X_PL X(q - q0)`, with M the frame of the model, P the parent, q0 the reference value at which the file gives `X_PL`.
+//! `X_ML = X_MP X_PL X(q - q0)`, with M the frame of the model, P the parent, q0 the reference value at which the file
+//! gives `X_PL`.
 
 use super::finding::{Findings, RobotDefect};
 use super::model::{Robot, RobotCoordinate, RobotJoint, RobotJointKind};
@@ -9,8 +10,8 @@ use glam::DVec3;
 use polhode::spatial::Pose;
 use std::collections::BTreeMap;
 
-/// Values of the coordinates at the start, in the order of joints and coordinates: what is given, or the pose of the file, moved
-/// into the limits.
+/// Values of the coordinates at the start, in the order of joints and coordinates: what is given, or the pose of the
+/// file, moved into the limits.
 pub(super) fn start(robot: &Robot, given: &BTreeMap<String, f64>, findings: &mut Findings) -> Vec<f64> {
     let mut values = Vec::with_capacity(robot.joints.len());
     for joint in &robot.joints {
@@ -33,8 +34,8 @@ pub(super) fn start(robot: &Robot, given: &BTreeMap<String, f64>, findings: &mut
     values
 }
 
-/// Largest difference of a value that is given for a coordinate from the one that it has because it follows another, rad or m: the
-/// digits of a file.
+/// Largest difference of a value that is given for a coordinate from the one that it has because it follows another,
+/// rad or m: the digits of a file.
 const SAME_VALUE: f64 = 1e-6;
 
 /// Gives coordinates that follow others the values that follow.

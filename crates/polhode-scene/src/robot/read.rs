@@ -20,7 +20,8 @@ pub struct RobotFile {
     pub findings: Vec<Finding>,
 }
 
-/// Reads a robot from a URDF or an MJCF file; the root element says which. `packages` are folders that hold packages of ROS.
+/// Reads a robot from a URDF or an MJCF file; the root element says which. `packages` are folders that hold packages of
+/// ROS.
 ///
 /// # Errors
 /// When the file cannot be read or is refused, with all that was found.

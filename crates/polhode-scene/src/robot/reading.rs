@@ -129,7 +129,8 @@ impl Reading {
         direction
     }
 
-    /// The direction of an axis; some direction of one that has none, which is noted, so that what else is wrong with its joint is found.
+    /// The direction of an axis; some direction of one that has none, which is noted, so that what else is wrong with
+    /// its joint is found.
     pub(super) fn axis(&mut self, element: &Element, vector: DVec3, subject: &str) -> UnitVector {
         self.direction(element, vector, subject).unwrap_or_else(|| {
             self.has_guess = true;

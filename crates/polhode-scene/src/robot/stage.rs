@@ -25,7 +25,8 @@ pub(crate) fn is_robot_file(path: &Path) -> bool {
 /// When the robot file is refused.
 pub(crate) fn scene_of(path: &Path) -> Result<String, RobotFileError> {
     let RobotFile { robot, .. } = read_robot(path, &[])?;
-    // An inertia that is refused is told when the scene is built, which may repair it; where others refuse the file it is told with them.
+    // An inertia that is refused is told when the scene is built, which may repair it; where others refuse the file it
+    // is told with them.
     let repaired = assembled(&robot, &Placement::of_file(Unphysical::Repair), 0);
     let (assembly, _) = repaired.map_err(|found| {
         let told = assembled(&robot, &Placement::of_file(Unphysical::Refuse), 0).err();
@@ -34,7 +35,8 @@ pub(crate) fn scene_of(path: &Path) -> Result<String, RobotFileError> {
     let file = path.file_name().unwrap_or_default().to_string_lossy();
     // A text of TOML: Rust's escapes of strings are those of TOML for what names of files hold.
     let mut text = format!(
-        "format = 1\nname = {name:?}\nduration = 2.0\n\n[materials.rubber]\nfriction = 0.8\n\n[[models]]\nfile = {file:?}\nmaterial = \"rubber\"\n",
+        "format = 1\nname = {name:?}\nduration = 2.0\n\n[materials.rubber]\nfriction = 0.8\n\n[[models]]\n\
+         file = {file:?}\nmaterial = \"rubber\"\n",
         name = robot.name
     );
     let joined: BTreeSet<usize> = assembly
@@ -56,7 +58,8 @@ pub(crate) fn scene_of(path: &Path) -> Result<String, RobotFileError> {
     if let Some(lowest) = lowest.filter(|_| !has_ground && !is_held) {
         let _ = write!(
             text,
-            "\n[[bodies]]\nname = \"floor\"\nfixed = true\nshape.half_space.normal = [0, 0, 1]\nposition = [0, 0, {lowest:?}]\nmaterial = \"rubber\"\n"
+            "\n[[bodies]]\nname = \"floor\"\nfixed = true\nshape.half_space.normal = [0, 0, 1]\n\
+             position = [0, 0, {lowest:?}]\nmaterial = \"rubber\"\n"
         );
     }
     Ok(text)

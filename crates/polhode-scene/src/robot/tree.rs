@@ -6,7 +6,8 @@ use super::model::{Robot, RobotJoint};
 /// Most links of a circle that a message names.
 const MOST_NAMED: usize = 8;
 
-/// The same robot with its root first and each link behind its parent; `None` when the joints make no tree, which is noted.
+/// The same robot with its root first and each link behind its parent; `None` when the joints make no tree, which is
+/// noted.
 pub(super) fn in_order(robot: Robot, findings: &mut Findings) -> Option<Robot> {
     let parents = parents(&robot, findings)?;
     let roots: Vec<usize> = (0..robot.links.len()).filter(|&link| parents[link].is_none()).collect();

@@ -1,7 +1,8 @@
 //! URDF: links, joints, inertias, shapes, limits.
 //!
 //! Source: docs/REFERENCES.md, URDF. Angles are in rad, `rpy` are rotations about the fixed axes x, y, z in
-//! this order. What has no effect here is noted, in one list for all formats of what a joint has (`crate::robot::joint_extras`).
+//! this order. What has no effect here is noted, in one list for all formats of what a joint has
+//! (`crate::robot::joint_extras`).
 
 use super::element::Element;
 use super::finding::RobotDefect;

@@ -1,7 +1,8 @@
 //! Links that fixed joints connect are one body: its mass properties are the sum of theirs.
 //!
-//! About the common centre of mass, `I = I_a + I_b + (m_a m_b / (m_a + m_b)) (|r|^2 1 - r r^T)`, with r from one centre of mass to
-//! the other. A part may be a point or a rod, whose inertia no body by itself has; the sum must be an inertia.
+//! About the common centre of mass, `I = I_a + I_b + (m_a m_b / (m_a + m_b)) (|r|^2 1 - r r^T)`, with r from one centre
+//! of mass to the other. A part may be a point or a rod, whose inertia no body by itself has; the sum must be an
+//! inertia.
 
 use super::finding::{Findings, RobotDefect};
 use super::model::{Inertial, Link, Robot, RobotJointKind};
@@ -87,7 +88,8 @@ impl Matter {
     }
 }
 
-/// The groups of a robot in the order of its links, and the number of the group of each link; `poses` are those of its links.
+/// The groups of a robot in the order of its links, and the number of the group of each link; `poses` are those of its
+/// links.
 pub(super) fn groups(
     robot: &Robot,
     poses: &[Pose],
@@ -164,8 +166,8 @@ fn checked<'a>(link: &'a Link, unphysical: Unphysical, findings: &mut Findings) 
     Some(Cow::Owned(Inertial { inertia, ..own.clone() }))
 }
 
-/// The inertia of a body that is nearest to a matrix: that whose second moments of mass, `S = tr(I)/2 1 - I`, are those of the
-/// matrix without their negative part.
+/// The inertia of a body that is nearest to a matrix: that whose second moments of mass, `S = tr(I)/2 1 - I`, are those
+/// of the matrix without their negative part.
 fn nearest(matrix: &DMat3) -> DMat3 {
     let axes = PrincipalAxes::of(matrix);
     let (moments, rotation) = (axes.moments(), axes.rotation().to_matrix());
@@ -175,7 +177,8 @@ fn nearest(matrix: &DMat3) -> DMat3 {
     (turned + turned.transpose()) * 0.5
 }
 
-/// Whether a matrix that is no inertia of a body is that of a point or a rod: moments that are zero to rounding, none negative.
+/// Whether a matrix that is no inertia of a body is that of a point or a rod: moments that are zero to rounding, none
+/// negative.
 fn is_of_rod_or_point(moments: DVec3, error: InertiaError) -> bool {
     if !matches!(error, InertiaError::NotPositive(_)) {
         return false;

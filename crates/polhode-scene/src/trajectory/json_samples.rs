@@ -1,6 +1,8 @@
-//! The samples of a JSON file: `{"scene": .., "bodies": [..], "columns": [..], "samples": [{"t": .., "states": [..]}, ..]}`.
+//! The samples of a JSON file: `{"scene": .., "bodies": [..], "columns": [..], "samples": [{"t": .., "states": [..]},
+//! ..]}`.
 //!
-//! Only one sample is in memory. What is read of the object are `bodies` and `columns`, which must stand before `samples`.
+//! Only one sample is in memory. What is read of the object are `bodies` and `columns`, which must stand before
+//! `samples`.
 
 use super::counted_bytes::CountedBytes;
 use super::error::TrajectoryError;

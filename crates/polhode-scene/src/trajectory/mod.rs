@@ -1,8 +1,8 @@
 //! Reading back a trajectory that a run of a scene has written.
 //!
-//! Every kind that [`output`](mod@crate::output) writes can be read: CSV, JSON and NPY, by the ending of the name, also with
-//! `.partial` behind it. A file is read sample by sample, whatever its size, and held against the scene: every sample has
-//! every body of the scene once, times ascend, every number is finite, and nothing is missing at the end.
+//! Every kind that [`output`](mod@crate::output) writes can be read: CSV, JSON and NPY, by the ending of the name, also
+//! with `.partial` behind it. A file is read sample by sample, whatever its size, and held against the scene: every
+//! sample has every body of the scene once, times ascend, every number is finite, and nothing is missing at the end.
 //!
 //! | module | holds |
 //! |---|---|

@@ -1,7 +1,7 @@
 //! The samples of an NPY file: doubles of shape (samples, bodies, 14), bodies in the order of the scene.
 //!
-//! Format versions 1 to 3 (docs/REFERENCES.md, NumPy enhancement proposal 1). The file bears no names, so that all that can be
-//! held against the scene is the number of bodies.
+//! Format versions 1 to 3 (docs/REFERENCES.md, NumPy enhancement proposal 1). The file bears no names, so that all that
+//! can be held against the scene is the number of bodies.
 
 use super::error::{FilePlace, TrajectoryError};
 use super::expected::{CUT_OFF, Expected, Sample};

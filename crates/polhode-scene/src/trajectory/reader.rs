@@ -17,8 +17,8 @@ enum Kind {
 }
 
 impl Kind {
-    /// The kind that a name says; what an interrupted run has kept ends in `.partial` besides, and what a killed program
-    /// has left behind in a random word and `.tmp`, with a dot before the name.
+    /// The kind that a name says; what an interrupted run has kept ends in `.partial` besides, and what a killed
+    /// program has left behind in a random word and `.tmp`, with a dot before the name.
     fn of(path: &Path) -> Option<Self> {
         let name = path.file_name()?.to_string_lossy().to_ascii_lowercase();
         let temporary = name.strip_prefix('.').and_then(|name| name.strip_suffix(".tmp")?.rsplit_once('.'));
@@ -71,8 +71,9 @@ impl TrajectoryReader {
         Ok(Self { samples, expected, has_begun: false, cut_off: None })
     }
 
-    /// The next sample: its time (s) and all bodies in the order of the scene; nothing at the end. A file that is cut off,
-    /// as one of a program that was killed, ends with its last whole sample ([`TrajectoryReader::cut_off`] says so).
+    /// The next sample: its time (s) and all bodies in the order of the scene; nothing at the end. A file that is cut
+    /// off, as one of a program that was killed, ends with its last whole sample ([`TrajectoryReader::cut_off`] says
+    /// so).
     ///
     /// # Errors
     /// When the file cannot be read or does not go on as a trajectory of the scene, or has no whole sample.

@@ -14,7 +14,8 @@ fn with_torus(approximate: &str) -> Result<polhode::Scene, String> {
     std::fs::write(folder.path().join("torus.obj"), bytes).unwrap();
     let path = folder.path().join("scene.toml");
     let text = format!(
-        "format = 1\n[[bodies]]\nname = \"ring\"\ndensity = 1000\nshape.mesh = {{ file = \"torus.obj\"{approximate} }}\n"
+        "format = 1\n[[bodies]]\nname = \"ring\"\ndensity = 1000\n\
+         shape.mesh = {{ file = \"torus.obj\"{approximate} }}\n"
     );
     std::fs::write(&path, text).unwrap();
     load(&path).map_err(|error| error.to_string())

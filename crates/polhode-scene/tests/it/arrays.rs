@@ -35,8 +35,8 @@ fn a_grid_stands_in_rows_columns_and_layers() {
     }
 }
 
-/// The courses of a pyramid have one body fewer each; every second one of a wall begins and ends with half a brick, flush with
-/// the ends of the others: every body stands over the joint of two, and none juts out.
+/// The courses of a pyramid have one body fewer each; every second one of a wall begins and ends with half a brick,
+/// flush with the ends of the others: every body stands over the joint of two, and none juts out.
 #[test]
 fn courses_stand_over_the_joints_of_those_below() {
     let pyramid = scene(&array("position = [0, 0, 0.2]\nlayout.pyramid = { base = 3, spacing = [0.5, 0.4] }"));
@@ -121,7 +121,8 @@ fn ten_lines_make_ten_thousand() {
 fn bodies_of_arrays_have_names() {
     let text = array("layout.grid = { counts = [3, 1, 1], spacing = [1, 0, 0] }");
     let more = "[[forces]]\ntype.drag = { law = \"linear\", translational = 1 }\n[[forces]]\n\
-        type.force = { body = \"cube-2-1-1\", force = [1, 0, 0] }\n[[no_contact]]\nbodies = [\"cube-1-1-1\", \"cube-3-1-1\"]\n";
+        type.force = { body = \"cube-2-1-1\", force = [1, 0, 0] }\n[[no_contact]]\n\
+        bodies = [\"cube-1-1-1\", \"cube-3-1-1\"]\n";
     assert_eq!(scene(&(text.clone() + more)).forces().len(), 4);
     let wrong = text + "[[forces]]\ntype.force = { body = \"cube-4-1-1\", force = [1, 0, 0] }\n";
     check(&wrong, "forces.0.type.force.body", "cube-4-1-1", "no body is named `cube-4-1-1`");
@@ -134,7 +135,8 @@ fn mistakes_are_refused() {
         ("", "arrays.cube", "[[arrays]]", "missing key `layout`"),
         ("layout = {}", "arrays.cube.layout", "layout", "one of grid, pyramid, wall or drop"),
         (
-            "layout.pyramid = { base = 2, spacing = [1, 1] }\nlayout.wall = { length = 2, height = 2, spacing = [1, 1] }",
+            "layout.pyramid = { base = 2, spacing = [1, 1] }\n\
+             layout.wall = { length = 2, height = 2, spacing = [1, 1] }",
             "arrays.cube.layout",
             "layout",
             "one of grid, pyramid, wall or drop",
@@ -273,7 +275,8 @@ fn mistakes_in_the_body_of_an_array_are_refused() {
 fn names_differ() {
     let text = array("layout.grid = { counts = [1, 1, 1], spacing = [1, 1, 1] }");
     let twice = text.clone()
-        + "[[arrays]]\nname = \"cube-1\"\nshape.sphere.radius = 1\nmass = 1\nlayout.pyramid = { base = 1, spacing = [1, 1] }\n";
+        + "[[arrays]]\nname = \"cube-1\"\nshape.sphere.radius = 1\nmass = 1\n\
+            layout.pyramid = { base = 1, spacing = [1, 1] }\n";
     check(&twice, "arrays.cube.name", "name", "two bodies are named `cube-1-1-1`");
     let beside = text + "[[bodies]]\nname = \"cube-1-1-1\"\nfixed = true\n";
     check(&beside, "arrays.cube.name", "name", "two bodies are named `cube-1-1-1`");

@@ -120,8 +120,8 @@ fn drag() {
     }
 }
 
-/// Springs between bodies and to the world; the length at rest is that at the start, in the turned frames of the bodies,
-/// when it is not given.
+/// Springs between bodies and to the world; the length at rest is that at the start, in the turned frames of the
+/// bodies, when it is not given.
 #[test]
 fn springs() {
     match force("type.spring = { body = \"brick\", anchor = [0, 0, 4], stiffness = 5 }") {

@@ -29,8 +29,8 @@ fn method() {
     let text = BASE.replace(
         "name = \"base\"",
         "method = { tier = \"thesis\", step = 0.001, integrator = \"rk4\", orientation = \"matrix\", \
-         rotation_rate = \"angular-velocity\", impact = \"simultaneous\", contact = \"least-force\", response = \"impulse\", broad_phase = \"kd-tree\", tolerance = 1e-9, \
-         max_events_per_step = 77 }",
+         rotation_rate = \"angular-velocity\", impact = \"simultaneous\", contact = \"least-force\", response = \
+         \"impulse\", broad_phase = \"kd-tree\", tolerance = 1e-9, max_events_per_step = 77 }",
     );
     let method = scene(&text).method().clone();
     assert_eq!(method.tier, Some(Tier::Thesis));

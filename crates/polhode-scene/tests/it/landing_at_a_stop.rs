@@ -1,7 +1,7 @@
 //! A body at the stop of a joint lands on a rough floor: one motion in time steps and in the accurate tier.
 //!
-//! The stop approaches by the error of a step, some 1e-6 m/s, when the landing strikes it. Where contacts have friction it was reflected
-//! as what approaches: the impulse of the landing was 5 % larger, at a step of 2 ms and at 1 ms not.
+//! The stop approaches by the error of a step, some 1e-6 m/s, when the landing strikes it. Where contacts have friction
+//! it was reflected as what approaches: the impulse of the landing was 5 % larger, at a step of 2 ms and at 1 ms not.
 
 use crate::scene;
 use polhode::Simulation;

@@ -1,8 +1,9 @@
-//! A planar linkage of four hinges that hits the stop of one of them rebounds: one contact is struck, so that all laws of impacts agree.
+//! A planar linkage of four hinges that hits the stop of one of them rebounds: one contact is struck, so that all laws
+//! of impacts agree.
 //!
-//! The hinges of such a loop hold three directions twice. Their velocities before the impact are rounding, by which they contradict
-//! each other. No law solved the impact for that: the linkage stuck at its stop, its energy gone, and the run was
-//! completed. Turned in the world, the same linkage rebounded.
+//! The hinges of such a loop hold three directions twice. Their velocities before the impact are rounding, by which
+//! they contradict each other. No law solved the impact for that: the linkage stuck at its stop, its energy gone, and
+//! the run was completed. Turned in the world, the same linkage rebounded.
 
 use crate::scene;
 use polhode::Simulation;

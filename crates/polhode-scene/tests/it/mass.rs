@@ -95,8 +95,8 @@ fn given_inertia() {
     assert_eq!(points.center_of_mass(), DVec3::ZERO);
 }
 
-/// The exact inertia of a ball put in for that of its mesh, as the thesis advises for curved bodies (3.2): the mesh of an
-/// icosahedron falls short by a third, and mass, centre and shape stay those that are asked for.
+/// The exact inertia of a ball put in for that of its mesh, as the thesis advises for curved bodies (3.2): the mesh of
+/// an icosahedron falls short by a third, and mass, centre and shape stay those that are asked for.
 #[test]
 fn given_inertia_of_a_mesh() {
     let folder = tempfile::tempdir().unwrap();

@@ -54,7 +54,8 @@ fn sine() {
     assert!(trajectory(all).velocity(0.0).linear.x > 3.0);
 }
 
-/// Samples are where the body is; what the table leaves out comes from the body, and what the body leaves out from the table.
+/// Samples are where the body is; what the table leaves out comes from the body, and what the body leaves out from the
+/// table.
 #[test]
 fn tables() {
     let places = "motion.table = { times = [0, 1, 2], positions = [[1, 0, 0], [2, 0, 0], [2, 3, 0]] }";
@@ -196,7 +197,8 @@ fn numbers() {
 /// A pose that contradicts the table is refused at its key, with the one that is needed.
 #[test]
 fn poses_that_contradict_the_table() {
-    let table = "motion.table = { times = [0, 1], positions = [[1, 0, 0], [2, 0, 0]], rotation_vectors = [[0, 0, 0], [0, 0, 1]] }";
+    let table = "motion.table = { times = [0, 1], positions = [[1, 0, 0], [2, 0, 0]], rotation_vectors = [[0, 0, 0], \
+        [0, 0, 1]] }";
     let cases = [
         ("position = [1.1, 0, 0]", "position", "[1.0, 0.0, 0.0]"),
         ("orientation = [0, 1, 0, 0]", "orientation", "[1.0, 0.0, 0.0, 0.0]"),
@@ -207,8 +209,8 @@ fn poses_that_contradict_the_table() {
     }
 }
 
-/// A hold of two equal samples stands still unless a spline is asked for, which is warned of; what is between the samples
-/// can be named.
+/// A hold of two equal samples stands still unless a spline is asked for, which is warned of; what is between the
+/// samples can be named.
 #[test]
 fn interpolations() {
     let table = |more: &str| {
@@ -233,13 +235,14 @@ fn interpolations() {
     check(&with(&unknown), "bodies.mover.motion.table.interpolation", "\"cubic\"", "cubic");
 }
 
-/// A linear table of a body that others may touch is refused with the reason, and accepted where nothing can touch it or
-/// where it does not jump during the run.
+/// A linear table of a body that others may touch is refused with the reason, and accepted where nothing can touch it
+/// or where it does not jump during the run.
 #[test]
 fn jumps_of_bodies_that_may_be_touched_are_refused() {
     let lift = |times: &str, name: &str| {
         with(&format!(
-            "shape.box.size = [1, 1, 1]\nmotion.table = {{ times = {times}, positions = [[9, 0, 0], [9, 0, 1], [9, 0, 1]], interpolation = \"linear\" }}"
+            "shape.box.size = [1, 1, 1]\nmotion.table = {{ times = {times}, positions = [[9, 0, 0], [9, 0, 1], [9, 0, \
+             1]], interpolation = \"linear\" }}"
         )) + &format!("\n[[bodies]]\nname = \"{name}\"\nshape.sphere.radius = 0.1\nmass = 1\nposition = [20, 0, 20]\n")
     };
     let error = refused(&lift("[0, 0.5, 2]", "free"));

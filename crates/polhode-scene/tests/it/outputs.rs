@@ -148,8 +148,8 @@ fn events() {
     assert_eq!(read(&path), expected);
 }
 
-/// What has reached the disk of samples and events at the end of a step ends at the same time: a program that is killed leaves both, one as
-/// far as the other.
+/// What has reached the disk of samples and events at the end of a step ends at the same time: a program that is killed
+/// leaves both, one as far as the other.
 #[test]
 fn events_reach_the_disk_with_the_samples() {
     let folder = tempfile::tempdir().unwrap();
@@ -177,8 +177,8 @@ fn events_reach_the_disk_with_the_samples() {
     outputs.finish().unwrap();
 }
 
-/// Joints: one row for each sample, with the coordinates that they have, their loads and their powers. A motor of 0.5 N m turns a wheel of
-/// 1 kg m^2: after a second it gives 0.25 W; the bearing bears the weight of 2 kg.
+/// Joints: one row for each sample, with the coordinates that they have, their loads and their powers. A motor of 0.5 N
+/// m turns a wheel of 1 kg m^2: after a second it gives 0.25 W; the bearing bears the weight of 2 kg.
 #[test]
 fn joints() {
     let text = r#"

@@ -175,8 +175,8 @@ fn materials() {
     check(&thesis, "method.tier", "thesis", "has no friction: use tier `accurate`");
 }
 
-/// Friction along and across a grain that cannot be is refused at its key: numbers, directions, keys, and contacts of which
-/// it is not clear whose grain counts.
+/// Friction along and across a grain that cannot be is refused at its key: numbers, directions, keys, and contacts of
+/// which it is not clear whose grain counts.
 #[test]
 fn friction_along_a_grain() {
     let friction = |value: &str| BASE.replace("restitution = 0.5", &format!("friction = {value}"));
@@ -446,8 +446,8 @@ fn joints_that_cannot_hold() {
         hinge("[\"brick\"]", &format!(", axis = [0, 0, 1], angle = {{ friction = {{ {friction} }} }}"))
     };
     let friction = "joints.0.type.hinge.angle.friction";
-    let slider = "type.slider = { bodies = [\"brick\"], anchor = [0, 0, 0], axis = [0, 0, 1], displacement = { friction = \
-                  { coefficient = 0.2, radius = 0.1 } } }";
+    let slider = "type.slider = { bodies = [\"brick\"], anchor = [0, 0, 0], axis = [0, 0, 1], displacement = { \
+                  friction = { coefficient = 0.2, radius = 0.1 } } }";
     let cases = [
         (rough("effort = 0"), friction, "above 0"),
         (rough("effort = 1, breakaway = 0.5"), friction, "at least the effort"),
@@ -503,7 +503,8 @@ fn tracks_that_cannot_be_followed() {
         ),
         (
             curve(
-                "curve.path = { start = [0, 0, 0], heading = [1, 0, 0], up = [0, 0, 1], parts = [{ radius = 1, length = 1 }] }",
+                "curve.path = { start = [0, 0, 0], heading = [1, 0, 0], up = [0, 0, 1], parts = [{ radius = 1, length \
+                 = 1 }] }",
             ),
             "tracks.0.curve.path.parts.0.radius",
             "cannot both",

@@ -1,8 +1,8 @@
 //! Robots from URDF files are the bodies and joints that a scene would give by hand, and move as these do.
 //!
-//! Welded links have the sum of the mass properties of their parts about the common centre of mass (theorem of parallel axes,
-//! computed here from particles); joints stand where their chain of frames puts them; a small pendulum swings with the period of
-//! its inertia; a robot turned and moved as a whole moves the same.
+//! Welded links have the sum of the mass properties of their parts about the common centre of mass (theorem of parallel
+//! axes, computed here from particles); joints stand where their chain of frames puts them; a small pendulum swings
+//! with the period of its inertia; a robot turned and moved as a whole moves the same.
 
 use glam::{DMat3, DVec3};
 use polhode::scene::{Coordinate, JointKind};
@@ -53,7 +53,8 @@ fn body<'a>(scene: &'a Scene, name: &str) -> &'a polhode::Body {
 pub(crate) fn link(name: &str, mass: f64, center: [f64; 3], moments: [f64; 3]) -> String {
     let ([x, y, z], [xx, yy, zz]) = (center, moments);
     format!(
-        "<link name=\"{name}\"><inertial><origin xyz=\"{x:?} {y:?} {z:?}\"/><mass value=\"{mass:?}\"/><inertia ixx=\"{xx:?}\" ixy=\"0\" ixz=\"0\" iyy=\"{yy:?}\" iyz=\"0\" izz=\"{zz:?}\"/></inertial></link>"
+        "<link name=\"{name}\"><inertial><origin xyz=\"{x:?} {y:?} {z:?}\"/><mass value=\"{mass:?}\"/><inertia \
+         ixx=\"{xx:?}\" ixy=\"0\" ixz=\"0\" iyy=\"{yy:?}\" iyz=\"0\" izz=\"{zz:?}\"/></inertial></link>"
     )
 }
 
@@ -88,10 +89,12 @@ fn welded_links_are_one_body() {
     assert!(body(&scene, "post").is_fixed());
 }
 
-/// A chain of three frames, each turned, puts the joint where the product of the frames does, and a rotated inertia is turned.
+/// A chain of three frames, each turned, puts the joint where the product of the frames does, and a rotated inertia is
+/// turned.
 #[test]
 fn frames_multiply() {
-    let turned = "<link name=\"c\"><inertial><origin xyz=\"0.1 0.2 0.3\" rpy=\"0 0 1.5707963267948966\"/><mass value=\"2\"/><inertia ixx=\"1\" ixy=\"0\" ixz=\"0\" iyy=\"2\" iyz=\"0\" izz=\"2.5\"/></inertial></link>";
+    let turned = "<link name=\"c\"><inertial><origin xyz=\"0.1 0.2 0.3\" rpy=\"0 0 1.5707963267948966\"/><mass \
+        value=\"2\"/><inertia ixx=\"1\" ixy=\"0\" ixz=\"0\" iyy=\"2\" iyz=\"0\" izz=\"2.5\"/></inertial></link>";
     let text = urdf(&[
         link("a", 1.0, [0.0; 3], UNIT),
         link("b", 1.0, [0.0; 3], UNIT),
@@ -111,7 +114,8 @@ fn frames_multiply() {
     ]);
     let folder = Folder::new().with("r.urdf", &text);
     let scene = folder.scene("r.urdf", "position = [0, 0, 5]\nbase = \"free\"").unwrap().scene;
-    // b is at (1, 0, 5), its x along the y of the world; c is one further along it; its z along -y of b, which is x of the world.
+    // b is at (1, 0, 5), its x along the y of the world; c is one further along it; its z along -y of b, which is x of
+    // the world.
     let joint = scene.joints()[1];
     assert!((joint.anchor() - DVec3::new(1.0, 1.0, 5.0)).length() < 1e-15, "{}", joint.anchor());
     let JointKind::Hinge { axis } = joint.kind() else { panic!("{:?}", joint.kind()) };
@@ -225,8 +229,8 @@ fn what_is_ignored_is_listed() {
     assert!(told.contains("robot.urdf:6:"), "{told}");
 }
 
-/// A joint that follows another one by nothing is held where its offset says: by the joint it follows or, in MJCF, by none. Its link is one body
-/// with the one that it hangs at.
+/// A joint that follows another one by nothing is held where its offset says: by the joint it follows or, in MJCF, by
+/// none. Its link is one body with the one that it hangs at.
 #[test]
 fn a_joint_that_follows_by_nothing_is_held() {
     let text = urdf(&[
@@ -256,9 +260,10 @@ fn a_joint_that_follows_by_nothing_is_held() {
     assert!(refused.contains("nobody"), "{refused}");
     let arm = |equality: &str| {
         format!(
-            "<mujoco><compiler angle=\"radian\"/><worldbody><body name=\"b\"><joint name=\"lead\" axis=\"0 0 1\"/><inertial pos=\"0 0 0\" mass=\"1\" \
-             diaginertia=\"1 1 1\"/><body name=\"c\"><joint name=\"own\" axis=\"0 0 1\"/><inertial pos=\"1 0 0\" mass=\"1\" diaginertia=\"1 1 1\"/>\
-             </body></body></worldbody><equality><joint {equality}/></equality></mujoco>"
+            "<mujoco><compiler angle=\"radian\"/><worldbody><body name=\"b\"><joint name=\"lead\" axis=\"0 0 \
+             1\"/><inertial pos=\"0 0 0\" mass=\"1\" diaginertia=\"1 1 1\"/><body name=\"c\"><joint name=\"own\" \
+             axis=\"0 0 1\"/><inertial pos=\"1 0 0\" mass=\"1\" diaginertia=\"1 1 \
+             1\"/></body></body></worldbody><equality><joint {equality}/></equality></mujoco>"
         )
     };
     for equality in [
@@ -272,8 +277,8 @@ fn a_joint_that_follows_by_nothing_is_held() {
     }
 }
 
-/// A joint that follows another one is a gear of the scene: it starts where the other one says, and moves with it. Joints of robots have
-/// names in the scene.
+/// A joint that follows another one is a gear of the scene: it starts where the other one says, and moves with it.
+/// Joints of robots have names in the scene.
 #[test]
 fn a_joint_that_follows_another_is_a_gear() {
     let text = urdf(&[
@@ -291,7 +296,8 @@ fn a_joint_that_follows_another_is_a_gear() {
         joint("slide", "prismatic", ["a", "d"], "<axis xyz=\"0 0 1\"/><limit lower=\"-1\" upper=\"1\"/>"),
     ]);
     let folder = Folder::new().with("robot.urdf", &text);
-    let more = "name = \"r\"\nbase = \"fixed\"\nconfiguration.lead = 0.25\n[[gears]]\njoints = [\"r/slide\", \"r/lead\"]\nratio = 0.1\n";
+    let more = "name = \"r\"\nbase = \"fixed\"\nconfiguration.lead = 0.25\n[[gears]]\n\
+        joints = [\"r/slide\", \"r/lead\"]\nratio = 0.1\n";
     let loaded = folder.scene("robot.urdf", more).unwrap();
     let gears: Vec<_> =
         loaded.scene.gears().iter().map(|gear| (gear.joints().map(polhode::JointId::index), gear.ratio())).collect();
@@ -327,7 +333,8 @@ fn parts_without_mass() {
     assert!(told.iter().any(|told| told.contains("link `tip`: it has no mass and carries none")), "{told:?}");
 }
 
-/// Several robots of one file stand in one scene, with names of their own, joined by the scene; their links do not collide.
+/// Several robots of one file stand in one scene, with names of their own, joined by the scene; their links do not
+/// collide.
 #[test]
 fn several_robots_in_a_scene() {
     let text = r#"
@@ -366,7 +373,10 @@ fn a_robot_file_is_a_scene() {
     let held = load_with(&shipped("arm.urdf"), &[]).unwrap();
     assert_eq!((held.scene.name(), held.scene.duration_s()), ("arm", 2.0));
     assert!(held.scene.bodies().iter().all(|body| body.name() != "floor"));
-    let text = urdf(&["<link name=\"ball\"><inertial><mass value=\"1\"/><inertia ixx=\"0.1\" ixy=\"0\" ixz=\"0\" iyy=\"0.1\" iyz=\"0\" izz=\"0.1\"/></inertial><collision><origin xyz=\"0 0 2\"/><geometry><sphere radius=\"0.5\"/></geometry></collision></link>".to_owned()]);
+    let text = urdf(&["<link name=\"ball\"><inertial><mass value=\"1\"/><inertia ixx=\"0.1\" ixy=\"0\" ixz=\"0\" \
+        iyy=\"0.1\" iyz=\"0\" izz=\"0.1\"/></inertial><collision><origin xyz=\"0 0 2\"/><geometry><sphere \
+        radius=\"0.5\"/></geometry></collision></link>"
+        .to_owned()]);
     let folder = Folder::new().with("ball.urdf", &text);
     let free = load_with(&folder.path("ball.urdf"), &[]).unwrap();
     let floor = body(&free.scene, "floor").initial_pose().translation.z;
@@ -382,7 +392,9 @@ fn a_robot_file_is_a_scene() {
 fn links_collide_when_asked() {
     let ball = |name: &str| {
         format!(
-            "<link name=\"{name}\"><inertial><mass value=\"1\"/><inertia ixx=\"0.1\" ixy=\"0\" ixz=\"0\" iyy=\"0.1\" iyz=\"0\" izz=\"0.1\"/></inertial><collision><geometry><sphere radius=\"0.3\"/></geometry></collision></link>"
+            "<link name=\"{name}\"><inertial><mass value=\"1\"/><inertia ixx=\"0.1\" ixy=\"0\" ixz=\"0\" iyy=\"0.1\" \
+             iyz=\"0\" izz=\"0.1\"/></inertial><collision><geometry><sphere \
+             radius=\"0.3\"/></geometry></collision></link>"
         )
     };
     let text = urdf(&[

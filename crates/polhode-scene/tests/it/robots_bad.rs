@@ -1,5 +1,5 @@
-//! Bad robot files are refused with file, line, column, what is wrong and what is accepted; several faults are told at once; no
-//! input is a panic: random bytes, shipped files cut off or changed at any place, deep nesting.
+//! Bad robot files are refused with file, line, column, what is wrong and what is accepted; several faults are told at
+//! once; no input is a panic: random bytes, shipped files cut off or changed at any place, deep nesting.
 
 use crate::robots::{Folder, joint, link, shipped, urdf};
 use polhode_scene::load_with;
@@ -66,8 +66,9 @@ fn values() {
     assert!(refused(&both).ends_with("2 errors"), "{}", refused(&both));
 }
 
-/// What is wrong with a file is told at once, though each of it alone refuses the file: an axis without length, an inertia that no body has,
-/// limits that contradict each other, a link that moves without mass, and links that make no tree.
+/// What is wrong with a file is told at once, though each of it alone refuses the file: an axis without length, an
+/// inertia that no body has, limits that contradict each other, a link that moves without mass, and links that make no
+/// tree.
 #[test]
 fn all_that_is_wrong_is_told_at_once() {
     let bad_axis = "<axis xyz=\"0 0 0\"/><limit lower=\"1\" upper=\"-1\"/>";
@@ -114,8 +115,8 @@ fn all_that_is_wrong_is_told_at_once() {
     assert!(told.contains("no joint of this engine together"), "{told}");
 }
 
-/// Files in xacro are told as such, with what to do: whether the prefix is declared or not, the element is deep in the file, or an attribute is
-/// an expression.
+/// Files in xacro are told as such, with what to do: whether the prefix is declared or not, the element is deep in the
+/// file, or an attribute is an expression.
 #[test]
 fn xacro_is_told_as_such() {
     let whole = |inside: &str, root: &str| format!("<robot name=\"r\"{root}><link name=\"a\">{inside}</link></robot>");
@@ -140,7 +141,8 @@ fn xacro_is_told_as_such() {
     assert!(told.contains("is written in xacro"), "{told}");
     // A default namespace, or a prefix of another program, is none of xacro.
     for root in [" xmlns=\"http://www.ros.org\"", " xmlns:tool=\"http://tool\""] {
-        let inertial = "<inertial><mass value=\"1\"/><inertia ixx=\"1\" ixy=\"0\" ixz=\"0\" iyy=\"1\" iyz=\"0\" izz=\"1\"/></inertial>";
+        let inertial = "<inertial><mass value=\"1\"/><inertia ixx=\"1\" ixy=\"0\" ixz=\"0\" iyy=\"1\" iyz=\"0\" \
+            izz=\"1\"/></inertial>";
         assert!(read_text(Path::new("r.urdf"), &whole(inertial, root), &[]).is_ok(), "{root}");
     }
 }

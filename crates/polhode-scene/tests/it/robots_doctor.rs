@@ -1,7 +1,7 @@
 //! Each finding of the doctor, on a file that has it: with its place, its size and its cure.
 //!
-//! What no body can have is refused; what can be simulated and is likely a mistake of a unit, a frame or a mesh is warned of; a
-//! sound robot has no findings.
+//! What no body can have is refused; what can be simulated and is likely a mistake of a unit, a frame or a mesh is
+//! warned of; a sound robot has no findings.
 
 use crate::robots::{Folder, joint, link, shipped, urdf};
 use glam::DVec3;
@@ -133,8 +133,8 @@ fn limits_that_leave_nothing() {
     assert!(error.contains("its axis [0, 0, 0] has no length"), "{error}");
 }
 
-/// Inertias that no body can have are refused, or replaced by the nearest that one can have: that whose second moments of mass are
-/// those of the matrix without their negative part.
+/// Inertias that no body can have are refused, or replaced by the nearest that one can have: that whose second moments
+/// of mass are those of the matrix without their negative part.
 #[test]
 fn inertias_that_no_body_can_have() {
     let part = |moments: [f64; 3]| Folder::new().with("r.urdf", &urdf(&[link("part", 1.0, [0.0; 3], moments)]));

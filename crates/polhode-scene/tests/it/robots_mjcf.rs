@@ -1,5 +1,5 @@
-//! Robots from MJCF files: the same robot as URDF and as MJCF is the same scene; classes, angles, frames, several joints of one body
-//! and masks of collision mean what the reference of the format says.
+//! Robots from MJCF files: the same robot as URDF and as MJCF is the same scene; classes, angles, frames, several
+//! joints of one body and masks of collision mean what the reference of the format says.
 
 use crate::robots::{Folder, joint, link, shipped, urdf};
 use glam::DVec3;
@@ -27,7 +27,8 @@ fn formats_agree() {
             "shoulder",
             "revolute",
             ["world", "upper"],
-            "<origin xyz=\"0 0 0.5\"/><axis xyz=\"0 1 0\"/><limit lower=\"-2\" upper=\"1.5\"/><dynamics damping=\"0.2\"/>",
+            "<origin xyz=\"0 0 0.5\"/><axis xyz=\"0 1 0\"/><limit lower=\"-2\" upper=\"1.5\"/><dynamics \
+             damping=\"0.2\"/>",
         ),
         joint("elbow", "continuous", ["upper", "fore"], "<origin xyz=\"0.4 0 0\"/><axis xyz=\"0 1 0\"/>"),
     ]);
@@ -52,7 +53,8 @@ fn formats_agree() {
     assert_eq!(ends[0], ends[1]);
 }
 
-/// Capsules from end to end have the masses of their volumes, classes reach the elements below them, degrees become radians.
+/// Capsules from end to end have the masses of their volumes, classes reach the elements below them, degrees become
+/// radians.
 #[test]
 fn the_shipped_leg() {
     let loaded = load_with(&shipped("leg.xml"), &[]).unwrap();
@@ -95,7 +97,8 @@ fn joints_of_one_body() {
             assert!(loaded.findings().any(|told| told.to_string().contains("universal joint")));
         }
     }
-    let sliders = "<joint type=\"slide\" axis=\"1 0 0\"/><joint type=\"slide\" axis=\"0 1 0\"/><joint type=\"slide\" axis=\"0 0 1\"/><joint type=\"ball\"/>";
+    let sliders = "<joint type=\"slide\" axis=\"1 0 0\"/><joint type=\"slide\" axis=\"0 1 0\"/><joint type=\"slide\" \
+        axis=\"0 0 1\"/><joint type=\"ball\"/>";
     let folder = Folder::new().with("r.xml", &mujoco(&format!("<worldbody>{}</worldbody>", body("a", sliders))));
     assert!(folder.scene("r.xml", "").unwrap().scene.joints().is_empty());
     for refused in [
@@ -108,7 +111,8 @@ fn joints_of_one_body() {
     }
 }
 
-/// Euler angles turn about axes that turn along (small letters) or stand still (capitals); other ways give the same orientation.
+/// Euler angles turn about axes that turn along (small letters) or stand still (capitals); other ways give the same
+/// orientation.
 #[test]
 fn orientations() {
     let ways = [
@@ -121,7 +125,8 @@ fn orientations() {
     ];
     for (way, sequence) in ways {
         let text = mujoco(&format!(
-            "<compiler eulerseq=\"{sequence}\"/><worldbody><body name=\"a\" {way}><freejoint/><inertial pos=\"0 0 0\" mass=\"1\" diaginertia=\"1 1 1\"/></body></worldbody>"
+            "<compiler eulerseq=\"{sequence}\"/><worldbody><body name=\"a\" {way}><freejoint/><inertial pos=\"0 0 0\" \
+             mass=\"1\" diaginertia=\"1 1 1\"/></body></worldbody>"
         ));
         let folder = Folder::new().with("r.xml", &text);
         let scene = folder.scene("r.xml", "").unwrap().scene;
@@ -136,11 +141,13 @@ fn loops() {
     let arms = |anchor: &str| {
         let arm = |name: &str, x: &str| {
             format!(
-                "<body name=\"{name}\" pos=\"{x} 0 0\"><inertial pos=\"0 0 -0.5\" mass=\"1\" diaginertia=\"1 1 1\"/><joint axis=\"0 1 0\"/><site name=\"at_{name}\" pos=\"{anchor}\"/></body>"
+                "<body name=\"{name}\" pos=\"{x} 0 0\"><inertial pos=\"0 0 -0.5\" mass=\"1\" diaginertia=\"1 1 \
+                 1\"/><joint axis=\"0 1 0\"/><site name=\"at_{name}\" pos=\"{anchor}\"/></body>"
             )
         };
         mujoco(&format!(
-            "<worldbody>{}{}</worldbody><equality><connect name=\"ring\" site1=\"at_left\" site2=\"at_right\"/></equality>",
+            "<worldbody>{}{}</worldbody><equality><connect name=\"ring\" site1=\"at_left\" \
+             site2=\"at_right\"/></equality>",
             arm("left", "0"),
             arm("right", "1")
         ))

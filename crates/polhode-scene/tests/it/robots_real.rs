@@ -1,19 +1,19 @@
-//! Robots that people use: each loads, its bodies have the mass properties that another reader finds, and it stands or falls for two
-//! seconds with a ledger that closes.
+//! Robots that people use: each loads, its bodies have the mass properties that another reader finds, and it stands or
+//! falls for two seconds with a ledger that closes.
 //!
-//! The files are not part of the project. The tests read them from the folder `robots` in the folder that the environment variable
-//! `POLHODE_DATA` names, and pass with a message where there is none. It holds what three Python packages hold:
-//! `pip download --no-deps example-robot-data==6.0.0 gymnasium==1.4.0 robosuite==1.5.2`, each unzipped, and of the first one the folder
-//! `cmeel.prefix/share/example-robot-data`. The numbers of the other readers, Pinocchio and MuJoCo, are in
-//! `fixtures/robots/mass-properties.json`.
+//! The files are not part of the project. The tests read them from the folder `robots` in the folder that the
+//! environment variable `POLHODE_DATA` names, and pass with a message where there is none. It holds what three Python
+//! packages hold: `pip download --no-deps example-robot-data==6.0.0 gymnasium==1.4.0 robosuite==1.5.2`, each unzipped,
+//! and of the first one the folder `cmeel.prefix/share/example-robot-data`. The numbers of the other readers, Pinocchio
+//! and MuJoCo, are in `fixtures/robots/mass-properties.json`.
 
 use polhode::{Body, Simulation};
 use polhode_scene::{Override, load_with};
 use serde_json::Value;
 use std::path::PathBuf;
 
-/// Error of mass properties relative to the mass, the largest distance and the largest moment of a body: sums of some parts, each
-/// turned by a few rotations, from numbers of two readers.
+/// Error of mass properties relative to the mass, the largest distance and the largest moment of a body: sums of some
+/// parts, each turned by a few rotations, from numbers of two readers.
 const TOLERANCE: f64 = 1e-12;
 
 /// The folder of the robots, if there is one.

@@ -1,7 +1,9 @@
-//! Two ropes of different restitution go taut at once: what a time step tells of their loads is all that the impact gave.
+//! Two ropes of different restitution go taut at once: what a time step tells of their loads is all that the impact
+//! gave.
 //!
-//! The impact law strikes each rope with its own restitution, and stops what then still approaches by a last inelastic solve. Its impulses were
-//! applied and not told: the loads of the step were off Newton's law by four fifths, and the run was degraded for it.
+//! The impact law strikes each rope with its own restitution, and stops what then still approaches by a last inelastic
+//! solve. Its impulses were applied and not told: the loads of the step were off Newton's law by four fifths, and the
+//! run was degraded for it.
 
 use crate::scene;
 use polhode::Simulation;

@@ -1,13 +1,13 @@
 //! Slips of joints that stop within a time step, at which the step is divided.
 //!
-//! A body slides along a joint with dry friction into a spring. The spring pushes back harder than friction holds. In the step in which
-//! the body stops, friction that held it at the end of the whole step worked forwards, against the spring and with the motion: that
-//! gained energy, so that no impulse of the step was applied, the spring's and the joint's among them. The body came back 14 % too
-//! fast, and the run was degraded.
+//! A body slides along a joint with dry friction into a spring. The spring pushes back harder than friction holds. In
+//! the step in which the body stops, friction that held it at the end of the whole step worked forwards, against the
+//! spring and with the motion: that gained energy, so that no impulse of the step was applied, the spring's and the
+//! joint's among them. The body came back 14 % too fast, and the run was degraded.
 //!
-//! A closed linkage of three hinges with friction comes to rest, and static friction of one of them holds it. The stop was looked for by
-//! what one unit of friction changes the slip by, without what the joints of the loop give: it was not found, and the linkage turned round
-//! and moved on.
+//! A closed linkage of three hinges with friction comes to rest, and static friction of one of them holds it. The stop
+//! was looked for by what one unit of friction changes the slip by, without what the joints of the loop give: it was
+//! not found, and the linkage turned round and moved on.
 
 use crate::scene;
 use polhode::Simulation;

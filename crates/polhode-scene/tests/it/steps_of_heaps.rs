@@ -1,5 +1,5 @@
-//! Time steps of many bodies: what may meet within a step is a row of its problem, so that bodies overlap by less than a
-//! thousandth of their size at the end of any step, and moving them apart gives less than a thousandth of the energy.
+//! Time steps of many bodies: what may meet within a step is a row of its problem, so that bodies overlap by less than
+//! a thousandth of their size at the end of any step, and moving them apart gives less than a thousandth of the energy.
 
 use crate::scene;
 use polhode::Simulation;
@@ -74,8 +74,8 @@ fn boxes_that_tumble_into_a_bin_overlap_in_no_step() {
     check(&bin(0.62, 0.5, 0.01, boxes), 0.5, 0.2);
 }
 
-/// A heavy ball pushes a light one, which rests, into a third that is far from both: the light one goes ten times as far as its own
-/// motion says.
+/// A heavy ball pushes a light one, which rests, into a third that is far from both: the light one goes ten times as
+/// far as its own motion says.
 #[test]
 fn what_a_faster_body_pushes_meets_what_is_in_its_way() {
     let ball = |name: &str, mass: f64, x: f64, v: f64| {
@@ -88,8 +88,8 @@ fn what_a_faster_body_pushes_meets_what_is_in_its_way() {
     check(&bin(2.0, 0.0, 0.01, &row.concat()), 0.1, 0.2);
 }
 
-/// A puck with this shape and half height (m) on so many tiles of 0.3 m, which are turned about the vertical as a whole. Returns how
-/// much of its velocity is left after it has passed them, and how much it turns.
+/// A puck with this shape and half height (m) on so many tiles of 0.3 m, which are turned about the vertical as a
+/// whole. Returns how much of its velocity is left after it has passed them, and how much it turns.
 fn over_tiles(shape: &str, half_height: f64, (speed, turn): (f64, f64)) -> [f64; 2] {
     let tiles = 6;
     let along = |s: f64| [s * turn.cos(), s * turn.sin()];

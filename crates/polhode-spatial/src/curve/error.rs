@@ -55,8 +55,8 @@ pub enum CurveError {
     },
     /// The curve meets itself, so that a point on it has two places.
     #[error(
-        "a curve comes within {distance_m} m of itself, {first_m} m and {second_m} m after its start: at least {least_m} m are needed, \
-         since a point there would have two places on it; move one part aside"
+        "a curve comes within {distance_m} m of itself, {first_m} m and {second_m} m after its start: at least \
+         {least_m} m are needed, since a point there would have two places on it; move one part aside"
     )]
     MeetsItself {
         /// The distance, m.

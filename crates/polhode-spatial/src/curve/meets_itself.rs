@@ -5,8 +5,8 @@ use super::piecewise::Curve;
 use super::span::Span;
 use glam::DVec3;
 
-/// Least distance of two parts of a curve, as a part of its length (no unit, 1e-9 to 1e-3): far above the rounding of a point that is
-/// held on it, and far below what a drawing shows.
+/// Least distance of two parts of a curve, as a part of its length (no unit, 1e-9 to 1e-3): far above the rounding of a
+/// point that is held on it, and far below what a drawing shows.
 const LEAST_DISTANCE: f64 = 1e-6;
 
 /// Most halvings of two parts that may be near each other.

@@ -1,9 +1,9 @@
 //! The point of a curve nearest to another one: its foot.
 //!
-//! A span is at most its sagitta from its chord, so that distances from chords bound those from spans; balls around some spans that follow
-//! each other say which need no look at all. In each span that may hold the
-//! nearest point the foot is the zero of `g(u) = (p - c(u)).c'(u)`, by Newton's iteration within a bracket. Of all feet the nearest is
-//! taken, of equal ones the first. So it depends on the point alone, and not on what was asked before.
+//! A span is at most its sagitta from its chord, so that distances from chords bound those from spans; balls around
+//! some spans that follow each other say which need no look at all. In each span that may hold the
+//! nearest point the foot is the zero of `g(u) = (p - c(u)).c'(u)`, by Newton's iteration within a bracket. Of all feet
+//! the nearest is taken, of equal ones the first. So it depends on the point alone, and not on what was asked before.
 
 use super::piecewise::Curve;
 use super::place::CurvePoint;
@@ -13,7 +13,8 @@ use glam::DVec3;
 /// Most steps of an iteration: bisection alone would take 52.
 const MOST_STEPS: usize = 80;
 
-/// Newton's iteration ends when it changes the parameter by less than this part of it and of its range (no unit): rounding.
+/// Newton's iteration ends when it changes the parameter by less than this part of it and of its range (no unit):
+/// rounding.
 const STEP_RELATIVE: f64 = 4.0 * f64::EPSILON;
 
 /// A foot in a span.

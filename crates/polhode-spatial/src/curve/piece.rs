@@ -8,9 +8,9 @@
 //! | wave | `o + e u + A f cos(w u)` |
 //! | cycloid | `o + R e (u + sin u) + R f (1 - cos u)`: the path of a point of a wheel that rolls under a ceiling |
 //!
-//! `e` is the heading and `l` the left of it, `k` the curvature at the start (1/m) and `k'` its rate (1/m^2): a curvature that changes
-//! evenly along the way makes a clothoid (Cornu's spiral; Levien 2008). The parameter of a bend is the arc length, m. The point of a
-//! bend is an integral, taken from a place at which it is known (`quadrature.rs`).
+//! `e` is the heading and `l` the left of it, `k` the curvature at the start (1/m) and `k'` its rate (1/m^2): a
+//! curvature that changes evenly along the way makes a clothoid (Cornu's spiral; Levien 2008). The parameter of a bend
+//! is the arc length, m. The point of a bend is an integral, taken from a place at which it is known (`quadrature.rs`).
 
 use super::quadrature::integral;
 use glam::DVec3;

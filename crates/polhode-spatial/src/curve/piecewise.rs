@@ -1,13 +1,14 @@
 //! Curves of pieces.
 //!
-//! A curve is a row of pieces, each with one formula (`piece.rs`), whose tangent has no jump. Of each of its places there are the
-//! point, the unit tangent `t` and the derivative of the tangent by the arc length, `k = dt/ds`, whose length is the curvature (1/m).
-//! A point `p` near the curve has a foot, the place `s` of the curve with `(p - c(s)).t(s) = 0`, for which
+//! A curve is a row of pieces, each with one formula (`piece.rs`), whose tangent has no jump. Of each of its places
+//! there are the point, the unit tangent `t` and the derivative of the tangent by the arc length, `k = dt/ds`, whose
+//! length is the curvature (1/m). A point `p` near the curve has a foot, the place `s` of the curve with `(p -
+//! c(s)).t(s) = 0`, for which
 //!
 //! `s' = t.p' / (1 - k.(p - c))`
 //!
-//! Source: do Carmo 1976, chapter 1. Assumptions: no cusp, and no two parts at one place ([`CurveError`]); both are checked when a curve
-//! is made. The curvature may jump from piece to piece, as from a straight line to a circle.
+//! Source: do Carmo 1976, chapter 1. Assumptions: no cusp, and no two parts at one place ([`CurveError`]); both are
+//! checked when a curve is made. The curvature may jump from piece to piece, as from a straight line to a circle.
 
 use super::error::{CurveError, finite, positive};
 use super::piece::{Piece, Stretch};
@@ -24,7 +25,8 @@ const IN_PLANE_RELATIVE: f64 = 1e-12;
 /// Curvatures that differ by less than this part of them are equal (no unit, 1e-12 to 1e-6): the digits of a file.
 const CURVATURE_JUMP: f64 = 1e-9;
 
-/// How far apart the ends of a closed path may be, as a part of its length (no unit, 1e-12 to 1e-9): rounding of its lengths.
+/// How far apart the ends of a closed path may be, as a part of its length (no unit, 1e-12 to 1e-9): rounding of its
+/// lengths.
 const CLOSED_RELATIVE: f64 = 1e-9;
 
 /// The plane that a curve lies in.
@@ -32,8 +34,8 @@ const CLOSED_RELATIVE: f64 = 1e-9;
 pub enum CurvePlane {
     /// Every plane along it: it is straight.
     Straight,
-    /// The plane with this normal; of a path and a wave the normal is heading x up, so that up is on its left, and a circle goes
-    /// anticlockwise about it.
+    /// The plane with this normal; of a path and a wave the normal is heading x up, so that up is on its left, and a
+    /// circle goes anticlockwise about it.
     Plane(UnitVector),
     /// None.
     None,
@@ -88,8 +90,8 @@ impl Curve {
         Self::new(vec![Stretch { piece, from: 0.0, to: length }], from, false, Some(CurvePlane::Straight))
     }
 
-    /// The circle about a center (m), anticlockwise about an axis, that begins in the direction of a vector whose length is the radius
-    /// (m): its part along the axis is left out.
+    /// The circle about a center (m), anticlockwise about an axis, that begins in the direction of a vector whose
+    /// length is the radius (m): its part along the axis is left out.
     ///
     /// # Errors
     /// When the radius is zero, or a number is not finite.
@@ -97,8 +99,8 @@ impl Curve {
         Self::helix(center, axis, out, Coil { advance: 0.0, turns: 1.0 })
     }
 
-    /// The helix about an axis through a point (m), anticlockwise about it, that begins in the direction of a vector whose length is the
-    /// radius (m): its part along the axis is left out.
+    /// The helix about an axis through a point (m), anticlockwise about it, that begins in the direction of a vector
+    /// whose length is the radius (m): its part along the axis is left out.
     ///
     /// # Errors
     /// When the radius is zero, or the turns are not positive, or a number is not finite.
@@ -121,8 +123,8 @@ impl Curve {
         Self::new(vec![Stretch { piece, from: 0.0, to: TAU * turns }], center, is_closed, Some(plane))
     }
 
-    /// The path of bends in the plane of two directions that begins at a point (m) along the first one: the second one says which side is
-    /// up. It is closed where it ends as it began.
+    /// The path of bends in the plane of two directions that begins at a point (m) along the first one: the second one
+    /// says which side is up. It is closed where it ends as it began.
     ///
     /// # Errors
     /// When there is no bend, a length is not positive, the directions are parallel, or a number is not finite.
@@ -165,7 +167,8 @@ impl Curve {
         Self::new(stretches, points[0], ends == SplineEnds::Closed, None)
     }
 
-    /// The curve `sum a_k u^k` of these coefficients (m over the unit of `u` to the power k), from the lowest, over a range of `u`.
+    /// The curve `sum a_k u^k` of these coefficients (m over the unit of `u` to the power k), from the lowest, over a
+    /// range of `u`.
     ///
     /// # Errors
     /// When there are fewer than two coefficients, the range is empty, the curve has a cusp, or a number is not finite.
@@ -180,8 +183,8 @@ impl Curve {
         Self::new(vec![Stretch { piece, from, to }], DVec3::ZERO, false, None)
     }
 
-    /// The wave `start + e x + A f cos(2 pi x / wavelength)`, `0 <= x <= length`, where `e` is the heading and `f` the part of up at right
-    /// angles to it: it begins on a crest.
+    /// The wave `start + e x + A f cos(2 pi x / wavelength)`, `0 <= x <= length`, where `e` is the heading and `f` the
+    /// part of up at right angles to it: it begins on a crest.
     ///
     /// # Errors
     /// When the wavelength or the length is not positive, the directions are parallel, or a number is not finite.
@@ -196,11 +199,13 @@ impl Curve {
         Self::new(vec![Stretch { piece, from: 0.0, to }], start, false, Some(CurvePlane::Plane(frame.normal)))
     }
 
-    /// The cycloid `lowest + R e (a + sin a) + R f (1 - cos a)`, `-reach <= a <= reach` (rad, below pi), where `e` is the heading and `f`
-    /// the part of up at right angles to it: the curve on which all falls to the lowest point last as long (Huygens 1673).
+    /// The cycloid `lowest + R e (a + sin a) + R f (1 - cos a)`, `-reach <= a <= reach` (rad, below pi), where `e` is
+    /// the heading and `f` the part of up at right angles to it: the curve on which all falls to the lowest point last
+    /// as long (Huygens 1673).
     ///
     /// # Errors
-    /// When the radius is not positive, the reach is not between 0 and pi, the directions are parallel, or a number is not finite.
+    /// When the radius is not positive, the reach is not between 0 and pi, the directions are parallel, or a number is
+    /// not finite.
     pub fn cycloid(lowest: DVec3, heading: UnitVector, up: DVec3, rolling: Rolling) -> Result<Self, CurveError> {
         let Rolling { radius, reach } = rolling;
         finite("a point", lowest.is_finite())?;
@@ -254,7 +259,8 @@ impl Curve {
         if points.iter().all(is_in_plane) { CurvePlane::Plane(normal) } else { CurvePlane::None }
     }
 
-    /// The place at an arc length from its start, m: between 0 and the length, the nearest of which stands for any other.
+    /// The place at an arc length from its start, m: between 0 and the length, the nearest of which stands for any
+    /// other.
     pub fn at(&self, arc: f64) -> CurvePoint {
         let number = self.spans.partition_point(|span| span.arc <= arc).saturating_sub(1);
         let span = &self.spans[number];
@@ -283,8 +289,8 @@ impl Curve {
         CurvePoint { point: jet.point, tangent, curvature, curvature_rate: jet.curvature_rate(), arc }
     }
 
-    /// The first place, as arc length (m), at which the curvature jumps: between two pieces, as from a straight line to a circle. That of a
-    /// straight continuation beyond an end does not count.
+    /// The first place, as arc length (m), at which the curvature jumps: between two pieces, as from a straight line to
+    /// a circle. That of a straight continuation beyond an end does not count.
     pub fn curvature_jump(&self) -> Option<f64> {
         let ends = |spans: [&Span; 2]| {
             let [before, after] = spans;

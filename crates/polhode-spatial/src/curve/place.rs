@@ -13,6 +13,7 @@ pub struct CurvePoint {
     pub curvature: DVec3,
     /// Derivative of the curvature by the arc length, 1/m^2.
     pub curvature_rate: DVec3,
-    /// Arc length from the start, m: below zero or above the length beyond the ends of an open curve, which goes on straight there.
+    /// Arc length from the start, m: below zero or above the length beyond the ends of an open curve, which goes on
+    /// straight there.
     pub arc: f64,
 }

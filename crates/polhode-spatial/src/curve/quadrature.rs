@@ -1,7 +1,7 @@
 //! Gauss and Legendre's quadrature with eight points: exact for polynomials of degree 15.
 //!
-//! Over an interval in which a curve turns by a quarter of a radian its error is far below rounding. Source: Abramowitz and Stegun
-//! 1964, table 25.4. Sums are taken in the order of the nodes, so that bits do not depend on anything else.
+//! Over an interval in which a curve turns by a quarter of a radian its error is far below rounding. Source: Abramowitz
+//! and Stegun 1964, table 25.4. Sums are taken in the order of the nodes, so that bits do not depend on anything else.
 
 use std::ops::{Add, Mul};
 

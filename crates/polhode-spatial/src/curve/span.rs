@@ -5,7 +5,8 @@ use super::piece::{Jet, Stretch};
 use glam::DVec3;
 use std::ops::Range;
 
-/// Most angle by which a span turns, rad (0.05 to 0.5): the nearest point to one within two radii of curvature is unique there.
+/// Most angle by which a span turns, rad (0.05 to 0.5): the nearest point to one within two radii of curvature is
+/// unique there.
 const MOST_TURNING: f64 = 0.25;
 
 /// Arc lengths of a span as a whole and by halves agree to this part of it (no unit, 1e-15 to 1e-12).

@@ -1,8 +1,9 @@
 //! The cubic spline through points: curvature changes without a jump.
 //!
-//! Its parameter is the length of the chords. Between two points at the distance `h` it is the cubic with the second derivatives `m_i`
-//! at them, which solve `h_(i-1) m_(i-1) + 2 (h_(i-1) + h_i) m_i + h_i m_(i+1) = 6 (d_i - d_(i-1))`, `d_i` the slopes of the chords;
-//! an open one has `m = 0` at its ends (natural spline). Source: de Boor 1978, chapter 4.
+//! Its parameter is the length of the chords. Between two points at the distance `h` it is the cubic with the second
+//! derivatives `m_i` at them, which solve `h_(i-1) m_(i-1) + 2 (h_(i-1) + h_i) m_i + h_i m_(i+1) = 6 (d_i - d_(i-1))`,
+//! `d_i` the slopes of the chords; an open one has `m = 0` at its ends (natural spline). Source: de Boor 1978,
+//! chapter 4.
 
 use super::error::{CurveError, finite};
 use super::piece::{Piece, Stretch};
@@ -63,7 +64,8 @@ fn natural(chords: &[f64], slopes: &[DVec3]) -> Vec<DVec3> {
     second
 }
 
-/// Second derivatives at the points of a closed spline, the first one again at the end: by Sherman and Morrison's formula.
+/// Second derivatives at the points of a closed spline, the first one again at the end: by Sherman and Morrison's
+/// formula.
 fn periodic(chords: &[f64], slopes: &[DVec3]) -> Vec<DVec3> {
     let n = chords.len();
     let before = |i: usize| (i + n - 1) % n;

@@ -1,16 +1,16 @@
 //! A constant screw: turning steadily about an axis that is fixed in the world while moving steadily along it.
 //!
-//! `X(t) = exp(T s) X_0` with `s = t - t0` and a twist T that does not change (Chasles: every rigid motion between two poses
-//! is one). Given by the velocity of the body at `t0`, v of the centre of mass (m/s) and w (rad/s, world axes), with u = w/|w|,
-//! `v_p = u (u.v)` along the axis, `v_n = v - v_p` across it and `h = |w| s / 2`:
+//! `X(t) = exp(T s) X_0` with `s = t - t0` and a twist T that does not change (Chasles: every rigid motion between two
+//! poses is one). Given by the velocity of the body at `t0`, v of the centre of mass (m/s) and w (rad/s, world axes),
+//! with u = w/|w|, `v_p = u (u.v)` along the axis, `v_n = v - v_p` across it and `h = |w| s / 2`:
 //!
 //! `R(t) = exp([w]x s) R_0`, `p(t) = p_0 + s (v_p + v_n cos h sin h / h) + s^2/2 (sin h / h)^2 w x v`,
 //! `v(t) = exp([w]x s) v`.
 //!
-//! The axis passes through `p_0 + w x v / |w|^2`, at the distance `|v_n| / |w|` from the centre of mass, which runs along a
-//! helix: a circle when v is perpendicular to w (a turntable), a line when it is parallel (a bullet), and a line too
-//! when w is zero. Unlike [`ConstantVelocity`](super::ConstantVelocity), where v stays the same in world axes, v stays the
-//! same in body axes here.
+//! The axis passes through `p_0 + w x v / |w|^2`, at the distance `|v_n| / |w|` from the centre of mass, which runs
+//! along a helix: a circle when v is perpendicular to w (a turntable), a line when it is parallel (a bullet), and a
+//! line too when w is zero. Unlike [`ConstantVelocity`](super::ConstantVelocity), where v stays the same in world axes,
+//! v stays the same in body axes here.
 //!
 //! Failure: at times so far away that a product overflows the pose is not finite, which its users report.
 

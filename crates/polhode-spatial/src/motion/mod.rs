@@ -13,6 +13,11 @@
 //! | [`ConstantVelocity`] | along a line, at constant speed | steady |
 //! | [`ConstantScrew`] | along a helix: about an axis that is fixed in the world, and along it | steady |
 //! | [`SteadyFlight`] | along a parabola: constant acceleration | steady |
+//!
+//! | module | holds |
+//! |---|---|
+//! | `error` | why numbers make no motion |
+//! | `steady_spin` | what the motions with a constant angular velocity share |
 
 mod constant_screw;
 mod constant_velocity;
@@ -46,8 +51,8 @@ pub trait Motion {
     /// `X_WC` at time `t` (s).
     fn pose(&self, t: f64) -> Pose;
 
-    /// `p_WCo` at time `t` (s), m: the translation of [`Motion::pose`], to the same bits. A motion whose rotation is dear to
-    /// evaluate says it without.
+    /// `p_WCo` at time `t` (s), m: the translation of [`Motion::pose`], to the same bits. A motion whose rotation is
+    /// dear to evaluate says it without.
     fn position(&self, t: f64) -> DVec3 {
         self.pose(t).translation
     }
@@ -58,8 +63,8 @@ pub trait Motion {
     /// Bounds that hold for every time in `[t0, t1]`. They may be generous, never too small.
     fn bounds(&self, t0: f64, t1: f64) -> MotionBounds;
 
-    /// What rounding takes from the position of [`Motion::pose`] at time `t` (s), m, world: the centre of mass is at the sum of
-    /// both. Nothing where it is not known, as of motions that are interpolated.
+    /// What rounding takes from the position of [`Motion::pose`] at time `t` (s), m, world: the centre of mass is at
+    /// the sum of both. Nothing where it is not known, as of motions that are interpolated.
     fn residue(&self, _t: f64) -> Option<DVec3> {
         None
     }

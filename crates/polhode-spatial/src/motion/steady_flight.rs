@@ -1,7 +1,7 @@
 //! Free flight under constant acceleration, with a steady spin.
 //!
-//! With `s = t - t0`: `p(t) = p_0 + v_0 s + a s^2 / 2`, `v(t) = v_0 + a s`, `R(t) = exp([w]x s) R_0`; p the centre of mass
-//! (m), v its velocity (m/s), a its acceleration (m/s^2), w the angular velocity (rad/s), all in world axes.
+//! With `s = t - t0`: `p(t) = p_0 + v_0 s + a s^2 / 2`, `v(t) = v_0 + a s`, `R(t) = exp([w]x s) R_0`; p the centre of
+//! mass (m), v its velocity (m/s), a its acceleration (m/s^2), w the angular velocity (rad/s), all in world axes.
 //!
 //! It is exact for a body under uniform gravity that does not turn, turns about a principal axis, or has a spherical
 //! inertia. Any other body's angular velocity wanders while its angular momentum stays: `Flight` of polhode-dynamics is

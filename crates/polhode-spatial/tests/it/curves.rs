@@ -1,5 +1,6 @@
-//! Curves by arc length: their points, tangents and curvatures are those of the formulas, arc lengths those of integrals in closed form,
-//! and the place nearest to a point is found from the point alone. Tracks stand on this: an error here would be one of every motion.
+//! Curves by arc length: their points, tangents and curvatures are those of the formulas, arc lengths those of
+//! integrals in closed form, and the place nearest to a point is found from the point alone. Tracks stand on this: an
+//! error here would be one of every motion.
 
 use polhode_spatial::curve::{Bend, Coil, Curve, CurveError, CurvePlane, Rolling, SplineEnds, Wave};
 use polhode_spatial::{DVec3, SplitMix64, UnitVector};
@@ -33,7 +34,8 @@ fn curves() -> Vec<Curve> {
     ]
 }
 
-/// Arc length is the parameter: the tangent is the derivative of the point by it, and the curvature that of the tangent.
+/// Arc length is the parameter: the tangent is the derivative of the point by it, and the curvature that of the
+/// tangent.
 #[test]
 fn tangents_and_curvatures_are_derivatives_by_arc_length() {
     for curve in curves() {
@@ -116,7 +118,8 @@ fn a_clothoid_ends_where_fresnels_integrals_say() {
     near(curve.at(1.0).tangent, DVec3::Z, 1e-15);
 }
 
-/// Arc lengths in closed form, and curvatures by arc length: a parabola, and a cycloid, `k = 1/sqrt(16 R^2 - s^2)` from its lowest point.
+/// Arc lengths in closed form, and curvatures by arc length: a parabola, and a cycloid, `k = 1/sqrt(16 R^2 - s^2)` from
+/// its lowest point.
 #[test]
 fn arc_lengths_are_those_of_integrals_in_closed_form() {
     let parabola = Curve::polynomial(&[DVec3::ZERO, DVec3::X, DVec3::Z * -0.5], [0.0, 3.0]).unwrap();

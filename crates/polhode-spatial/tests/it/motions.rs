@@ -200,8 +200,8 @@ proptest! {
         }
     }
 
-    /// A flight without acceleration has a constant velocity, and a screw without spin too; what neither moves nor turns
-    /// is still.
+    /// A flight without acceleration has a constant velocity, and a screw without spin too; what neither moves nor
+    /// turns is still.
     #[test]
     fn special_cases_agree((t0, start, velocity, _) in states(), s in -9.0..9.0_f64) {
         let straight = ConstantVelocity::new(t0, start, velocity).unwrap();

@@ -1,8 +1,8 @@
 //! Animated WebP without loss: every frame a `VP8L` image in the container of the format.
 //!
-//! The container is RIFF: four letters, a length of four bytes, the content, and a zero where the length is odd. Its length
-//! stands at its beginning, so that the frames are kept, packed, until the last one is there. Source: docs/REFERENCES.md,
-//! WebP container.
+//! The container is RIFF: four letters, a length of four bytes, the content, and a zero where the length is odd. Its
+//! length stands at its beginning, so that the frames are kept, packed, until the last one is there. Source:
+//! docs/REFERENCES.md, WebP container.
 
 use super::pace::Pace;
 use crate::error::ViewError;

@@ -1,5 +1,5 @@
-//! Scenes side by side: error against time by every method, one large panel and a row of small ones below it that share its
-//! axes, labels at the curves. Made to be understood at one glance.
+//! Scenes side by side: error against time by every method, one large panel and a row of small ones below it that share
+//! its axes, labels at the curves. Made to be understood at one glance.
 
 use super::axes;
 use super::decades::Decades;

@@ -17,8 +17,8 @@ impl Pool {
 }
 
 /// Places of the middles of labels of height `row` that want to be at `wanted`, within `low` to `high`; in the order of
-/// `wanted`. Labels that want the same place keep their order. Where there is no room for all, they go on beyond `high`. What
-/// is not a number wants to be at `high`.
+/// `wanted`. Labels that want the same place keep their order. Where there is no room for all, they go on beyond
+/// `high`. What is not a number wants to be at `high`.
 pub fn label_rows(wanted: &[f64], row: f64, [low, high]: [f64; 2]) -> Vec<f64> {
     let clean = |place: f64| if place.is_nan() { high } else { place.clamp(low, high.max(low)) };
     let mut order: Vec<usize> = (0..wanted.len()).collect();

@@ -1,10 +1,10 @@
-//! Marks: bodies too small to be seen are drawn as discs of a least size, with the path that they have come; ropes and rods are
-//! drawn as lines.
+//! Marks: bodies too small to be seen are drawn as discs of a least size, with the path that they have come; ropes and
+//! rods are drawn as lines.
 //!
-//! A satellite on its orbit is a millionth of the picture, a point of a point set has no size at all. A body of diameter `s`
-//! at distance `z` has a radius of `f s / (2 z)` pixels, `f` being the focal length in pixels; where that is less than
-//! `LEAST_RADIUS` of the picture's height, a disc of that radius stands for it. Of very many bodies none is marked: they
-//! are seen as a crowd, and discs would swell it.
+//! A satellite on its orbit is a millionth of the picture, a point of a point set has no size at all. A body of
+//! diameter `s` at distance `z` has a radius of `f s / (2 z)` pixels, `f` being the focal length in pixels; where that
+//! is less than `LEAST_RADIUS` of the picture's height, a disc of that radius stands for it. Of very many bodies none
+//! is marked: they are seen as a crowd, and discs would swell it.
 
 use crate::camera::Camera;
 use crate::recording::{MOST_PATHS, Recording};

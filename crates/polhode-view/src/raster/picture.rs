@@ -76,7 +76,8 @@ pub struct Picture {
     pub rgb: Vec<u8>,
 }
 
-/// Draws what a camera sees; `bounds` are corners of the box that the camera is about, which gives the ground its scale.
+/// Draws what a camera sees; `bounds` are corners of the box that the camera is about, which gives the ground its
+/// scale.
 pub fn draw(
     scene: &SceneTriangles,
     marks: &Marks,

@@ -1,7 +1,7 @@
 //! From the world to the samples of a picture.
 //!
-//! A point ahead at distance z goes to `x = cx + f X / z`, `y = cy - f Y / z` (samples). `1/z` and whatever is linear on a
-//! triangle divided by z are linear in x and y, which is what is interpolated.
+//! A point ahead at distance z goes to `x = cx + f X / z`, `y = cy - f Y / z` (samples). `1/z` and whatever is linear
+//! on a triangle divided by z are linear in x and y, which is what is interpolated.
 
 use crate::camera::Camera;
 use polhode::spatial::DVec3;
@@ -51,8 +51,8 @@ impl Projection {
         forwards + right * across + upwards * up
     }
 
-    /// The part of a triangle that is not too near, as up to two triangles: corners as the camera sees them, and the weights
-    /// of the triangle's own corners there.
+    /// The part of a triangle that is not too near, as up to two triangles: corners as the camera sees them, and the
+    /// weights of the triangle's own corners there.
     pub fn cut(&self, corners: [DVec3; 3]) -> impl Iterator<Item = [(DVec3, DVec3); 3]> {
         let near = self.camera.near_m;
         let weights = [DVec3::X, DVec3::Y, DVec3::Z];

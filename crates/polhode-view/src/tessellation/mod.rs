@@ -1,7 +1,7 @@
 //! Triangles, normals and sharp edges of every shape.
 //!
-//! A body is drawn as parts: a mesh of a standard size, scaled, turned and moved into its place, so that many bodies share
-//! few meshes. Round shapes are inscribed in the true ones.
+//! A body is drawn as parts: a mesh of a standard size, scaled, turned and moved into its place, so that many bodies
+//! share few meshes. Round shapes are inscribed in the true ones.
 //!
 //! | module | holds |
 //! |---|---|

@@ -2,7 +2,8 @@
 
 use polhode::spatial::{DVec3, Rotation};
 
-/// A mesh of a [`MeshLibrary`](crate::MeshLibrary), scaled along its axes, then turned, then moved, in the body's frame.
+/// A mesh of a [`MeshLibrary`](crate::MeshLibrary), scaled along its axes, then turned, then moved, in the body's
+/// frame.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Part {
     /// Number of the mesh in its library.

@@ -3,7 +3,8 @@
 use crate::surface_mesh::SurfaceMesh;
 use polhode::contact::ConvexPolyhedron;
 
-/// Cosine of the bend at an edge above which no line is drawn (about 8 degrees): a finely faceted body would be all lines.
+/// Cosine of the bend at an edge above which no line is drawn (about 8 degrees): a finely faceted body would be all
+/// lines.
 const SMOOTH_COSINE: f64 = 0.99;
 
 /// The surface of a polyhedron in its own frame.

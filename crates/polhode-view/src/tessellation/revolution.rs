@@ -1,8 +1,8 @@
 //! Surfaces of revolution about z.
 //!
-//! A profile is a curve in the half-plane (distance from the axis, height) that has the solid on its left: it runs from the
-//! lowest point of the axis outwards and up to the highest. It consists of smooth pieces; where two of them meet the surface
-//! has a sharp edge.
+//! A profile is a curve in the half-plane (distance from the axis, height) that has the solid on its left: it runs from
+//! the lowest point of the axis outwards and up to the highest. It consists of smooth pieces; where two of them meet
+//! the surface has a sharp edge.
 
 use super::detail::Detail;
 use crate::surface_mesh::SurfaceMesh;

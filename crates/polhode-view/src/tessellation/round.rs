@@ -17,8 +17,8 @@ pub fn unit_cylinder(detail: Detail) -> SurfaceMesh {
     revolve(&[disc(-0.5), side, top], Line::Absent, detail)
 }
 
-/// The cone with a base of radius 1 about the origin and its apex at height 1. Its `normals` are those of this cone; scaled
-/// they become those of any other.
+/// The cone with a base of radius 1 about the origin and its apex at height 1. Its `normals` are those of this cone;
+/// scaled they become those of any other.
 pub fn unit_cone(detail: Detail) -> SurfaceMesh {
     let normal = [std::f64::consts::FRAC_1_SQRT_2; 2];
     let side = vec![rim([1.0, 0.0], normal), plain([0.0, 1.0], normal)];
@@ -33,8 +33,8 @@ pub fn capsule(half_length: f64, detail: Detail) -> SurfaceMesh {
     revolve(&[profile], Line::Drawn, detail)
 }
 
-/// The torus about the circle of radius 1, with a tube of this radius; its outermost circle is drawn as a line, and four
-/// circles around the tube.
+/// The torus about the circle of radius 1, with a tube of this radius; its outermost circle is drawn as a line, and
+/// four circles around the tube.
 pub fn torus(minor: f64, detail: Detail) -> SurfaceMesh {
     let count = half_circle(detail);
     let profile = (0..=count).map(|i| {

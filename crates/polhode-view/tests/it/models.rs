@@ -119,9 +119,9 @@ fn surfaces_are_shared() {
     assert_eq!(json["asset"]["version"], "2.0");
 }
 
-/// A body that turns by more than half a turn from frame to frame turns forwards in a player, which takes the shortest way
-/// from one orientation to the next: the turns between them add up to all that it has turned. (Before, a player turned it
-/// backwards.)
+/// A body that turns by more than half a turn from frame to frame turns forwards in a player, which takes the shortest
+/// way from one orientation to the next: the turns between them add up to all that it has turned. (Before, a player
+/// turned it backwards.)
 #[test]
 fn fast_bodies_turn_forwards() {
     let (spin, duration_s) = (250.0, 0.5);

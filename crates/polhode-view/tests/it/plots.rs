@@ -1,4 +1,5 @@
-//! Figures: the same bytes for the same data, well-formed, without numbers that are none, and with labels that can be read.
+//! Figures: the same bytes for the same data, well-formed, without numbers that are none, and with labels that can be
+//! read.
 //!
 //! Texts are held against each other with the width of a common font (Arial), narrower than what the layout keeps free.
 
@@ -293,7 +294,8 @@ proptest! {
         ends in prop::collection::vec(prop_oneof![-1e3..1e3_f64, prop::sample::select(vec![0.0, 1.0, 1e-12, 1e200])], 1..14),
         kind in prop::sample::select(KINDS.to_vec()),
     ) {
-        let lines = ends.iter().enumerate().map(|(i, &end)| line(&format!("body {i} {end:.1e} m"), &[[0.0, 0.0], [2.0, end]]));
+        let lines = ends.iter().enumerate().map(|(i, &end)| line(&format!("body {i} {end:.1e} \
+            m"), &[[0.0, 0.0], [2.0, end]]));
         check(&chart(vec![panel(kind, lines.collect()), panel(AxisKind::Linear, Vec::new())]).svg());
     }
 
@@ -335,7 +337,8 @@ fn a_run() {
     assert!(without_joints.contains("joints: none"), "{without_joints}");
 }
 
-/// Two motions that differ by a millimetre and half a milliradian in a second: so the figure says, and the energies are those of the scene's masses.
+/// Two motions that differ by a millimetre and half a milliradian in a second: so the figure says, and the energies are
+/// those of the scene's masses.
 #[test]
 fn two_trajectories() {
     let ball = Body::movable("ball", solid_sphere(0.1, Mass::new(2.0).unwrap()).unwrap());

@@ -224,8 +224,8 @@ fn a_body_that_is_lost_on_its_path() {
     assert_eq!(Marks::of_frame(&recording, 0, &camera, size().height()), Marks::default());
 }
 
-/// Two points 10 m apart are seen, although the balls about them are smaller than a pixel; of thousands of bodies none is
-/// marked.
+/// Two points 10 m apart are seen, although the balls about them are smaller than a pixel; of thousands of bodies none
+/// is marked.
 #[test]
 fn points_and_crowds() {
     let cloud = |name: &str| {

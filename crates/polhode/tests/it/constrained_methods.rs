@@ -99,7 +99,7 @@ fn rk4_is_exact_under_constant_forces() {
     let apart = (report.bodies[1].state.pose.translation - normal * 0.125 - way).length();
     assert!(apart < 1e-12, "{apart:e}");
     assert!(numerical_relative(&report) < 1e-13);
-    let standing = diamond(3, crate::support::Sides::Touch).method(by(Integrator::Rk4, 0.01)).duration_s(1.0);
+    let standing = diamond(3).method(by(Integrator::Rk4, 0.01)).duration_s(1.0);
     let scene = standing.build().unwrap();
     let (report, _) = run(&scene, Effects::All);
     for (polhode::ReportedBody { state: sample, .. }, body) in report.bodies.iter().zip(scene.bodies()) {

@@ -1,13 +1,13 @@
 //! One judge for all engines: from poses, velocities, and the impulses that an engine says that it used.
 //!
-//! **Residual.** For a contact with unit normal `n` (on A), impulse `p` on A, friction `mu`, relative velocity `u` of the
-//! bodies at the contact point after the step, and the inverse mass `w` that the pair has there along `n`, Coulomb's law with
-//! Signorini's condition is a cone complementarity (De Saxce): it holds where
-//! `p = P_K(p - (u + mu |u_t| n) / w)`, with `P_K` the projection onto the cone `|p_t| <= mu p_n`. The residual of a step is
-//! the largest distance of both sides over its contacts, in units of the largest impulse. As the normal part of `u` either the
-//! rate after the step or the gap after it over the step counts, whichever the engine has kept better: some keep contacts at
-//! the level of velocities, some at that of positions. So an engine that pushes bodies apart slowly is not blamed for it here;
-//! its penetration is in a column of its own.
+//! **Residual.** For a contact with unit normal `n` (on A), impulse `p` on A, friction `mu`, relative velocity `u` of
+//! the bodies at the contact point after the step, and the inverse mass `w` that the pair has there along `n`,
+//! Coulomb's law with Signorini's condition is a cone complementarity (De Saxce): it holds where
+//! `p = P_K(p - (u + mu |u_t| n) / w)`, with `P_K` the projection onto the cone `|p_t| <= mu p_n`. The residual of a
+//! step is the largest distance of both sides over its contacts, in units of the largest impulse. As the normal part of
+//! `u` either the rate after the step or the gap after it over the step counts, whichever the engine has kept better:
+//! some keep contacts at the level of velocities, some at that of positions. So an engine that pushes bodies apart
+//! slowly is not blamed for it here; its penetration is in a column of its own.
 //!
 //! **Penetration.** The deepest overlap of two bodies, or of a body and a half-space, at their poses.
 

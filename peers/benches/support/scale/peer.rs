@@ -1,8 +1,8 @@
 //! A scene in rapier3d-f64, with its defaults (4 substeps), on one thread.
 //!
-//! Its impulses are those of its last substep: they, with the velocities after it, are what its solver has come to. They are
-//! judged with Coulomb friction at each point, which it offers beside its default (one friction for each face), since only then
-//! each of its contacts has a law of its own.
+//! Its impulses are those of its last substep: they, with the velocities after it, are what its solver has come to.
+//! They are judged with Coulomb friction at each point, which it offers beside its default (one friction for each
+//! face), since only then each of its contacts has a law of its own.
 
 use super::judge::{Judged, Moved};
 use super::scenes::{Form, Scene};

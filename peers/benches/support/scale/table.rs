@@ -68,7 +68,10 @@ impl Compared {
 }
 
 /// The head of the table.
-pub(crate) const HEAD: &str = "| scene | steps | polhode: start; a step, ms, median / 99 % | rapier, ms: defaults; nothing sleeps | ratio: to defaults; to awake | penetration, m: polhode; rapier | drift, m | residual, median / largest: polhode; rapier | factorisations a step, median / 99 %; own largest residual |\n|---|---|---|---|---|---|---|---|---|";
+pub(crate) const HEAD: &str = "| scene | steps | polhode: start; a step, ms, median / 99 % | rapier, ms: defaults; \
+    nothing sleeps | ratio: to defaults; to awake | penetration, m: polhode; rapier | drift, m | residual, median / \
+    largest: polhode; rapier | factorisations a step, median / 99 %; own largest residual |\n\
+    |---|---|---|---|---|---|---|---|---|";
 
 /// The figure.
 pub(crate) fn figure(compared: &[Compared]) -> String {

@@ -17,9 +17,9 @@
 //! A feature names one half of its circle, a *branch*, by `RimExit` or `RimEntry`; `Rim` names none. Circle 1 is the
 //! circle whose branch is named. If both branches are named, it is the rim of a disc where the other is a torus (whose
 //! axis has no outer side), and otherwise the first. Two rims that touch have opposite axes, `a_1 = -n`; their offset,
-//! like that of two tori, does not depend on which is first. With two different branches it may: swapping A and B can then
-//! exchange the names of the two places, which cannot be avoided for two equal tori that a half turn about the normal
-//! exchanges. No length distinguishes the places of two circles in every configuration: the third line fails for
+//! like that of two tori, does not depend on which is first. With two different branches it may: swapping A and B can
+//! then exchange the names of the two places, which cannot be avoided for two equal tori that a half turn about the
+//! normal exchanges. No length distinguishes the places of two circles in every configuration: the third line fails for
 //! circles that are tilted about one centre, the fifth for coplanar ones. A contact of a torus uses the first offset
 //! that distinguishes them ([`is_distinguished`]), and its [`margin`] is zero where its own or the other place crosses
 //! the border.

@@ -1,11 +1,14 @@
 //! The contacts of two boxes, or of a box and a half-space, as the face of one clipped by the face of the other.
 //!
-//! It is for methods that let bodies overlap: the whole face that touches gives contacts, however deep and tilted, where the manifold of bodies
-//! that only touch ([`near_manifold`](crate::near_manifold)) has the deepest features alone. The axis is that of the largest separation (Gottschalk 1996); of a face that decides, the facing one of the other box is clipped at its sides (Sutherland and Hodgman 1974), and the points within the
-//! reach are contacts along its normal; of two edges their nearest points are one contact. A face is preferred to edges that separate by less than
-//! `EDGES_BEYOND` more, so that contacts of a tilting box do not change at every step.
+//! It is for methods that let bodies overlap: the whole face that touches gives contacts, however deep and tilted,
+//! where the manifold of bodies that only touch ([`near_manifold`](crate::near_manifold)) has the deepest features
+//! alone. The axis is that of the largest separation (Gottschalk 1996); of a face that decides, the facing one of the
+//! other box is clipped at its sides (Sutherland and Hodgman 1974), and the points within the reach are contacts along
+//! its normal; of two edges their nearest points are one contact. A face is preferred to edges that separate by less
+//! than `EDGES_BEYOND` more, so that contacts of a tilting box do not change at every step.
 //!
-//! Contacts have the features that [`crate::ConvexPolyhedron::cuboid`] gives them. Failure: none; other shapes are not taken.
+//! Contacts have the features that [`crate::ConvexPolyhedron::cuboid`] gives them. Failure: none; other shapes are not
+//! taken.
 
 use crate::shape::polyhedron::ConvexPolyhedron;
 use crate::{Contact, ContactFeature, ContactGeometry, HalfSpace, Manifold, SeparatingAxis, Shape, Side};
@@ -13,11 +16,12 @@ use glam::{DMat3, DVec3};
 use polhode_spatial::Pose;
 use smallvec::SmallVec;
 
-/// By how much two edges must separate more than the best face, relative to the smallest edge of the boxes (no unit, 1e-3 to 5e-2).
+/// By how much two edges must separate more than the best face, relative to the smallest edge of the boxes (no unit,
+/// 1e-3 to 5e-2).
 const EDGES_BEYOND: f64 = 1e-2;
 
-/// The square of the sine of the angle between two edges below which their common perpendicular is not tried (no unit): a face does as
-/// well.
+/// The square of the sine of the angle between two edges below which their common perpendicular is not tried (no unit):
+/// a face does as well.
 const NEARLY_PARALLEL: f64 = 1e-6;
 
 /// A box: where its centre is, its axes and half edges.
@@ -57,9 +61,9 @@ impl Placed {
     }
 }
 
-/// Fills `found` with the contacts of two boxes, or of a box and a half-space, with a separation of at most `reach` (m). Returns whether they
-/// are such shapes, and contacts were found wherever they are within the reach. Of two faces that separate nearly equally,
-/// by `EDGES_BEYOND`, that of the
+/// Fills `found` with the contacts of two boxes, or of a box and a half-space, with a separation of at most `reach`
+/// (m). Returns whether they are such shapes, and contacts were found wherever they are within the reach. Of two faces
+/// that separate nearly equally, by `EDGES_BEYOND`, that of the
 /// `base` decides.
 pub fn clipped_manifold(
     (shape_a, pose_a): (&Shape, &Pose),
@@ -302,7 +306,8 @@ fn clip(polyhedra: [&ConvexPolyhedron; 2], boxes: &[Placed; 2], best: &Best, rea
     found.axis = best.axis;
 }
 
-/// What of a polygon is inside one side of a rectangle: along axis `side / 2`, below `-half` (even) or above `half` (odd) is outside.
+/// What of a polygon is inside one side of a rectangle: along axis `side / 2`, below `-half` (even) or above `half`
+/// (odd) is outside.
 fn clipped(polygon: &[Clipped], side: u8, half: f64) -> Polygon {
     let outside = |corner: &Clipped| {
         let along = if side < 2 { corner.at.x } else { corner.at.y };
@@ -360,8 +365,8 @@ fn feature_of(
 
 #[cfg(test)]
 mod tests {
-    //! Boxes that touch have the contacts of the general manifold; the separation is the general one; boxes that overlap deeply keep a whole
-    //! face of contacts, each as deep as it says.
+    //! Boxes that touch have the contacts of the general manifold; the separation is the general one; boxes that
+    //! overlap deeply keep a whole face of contacts, each as deep as it says.
     use super::*;
     use crate::{Workspace, near_manifold, separation};
     use polhode_spatial::{Rotation, SplitMix64};

@@ -8,9 +8,9 @@
 //!    it.
 //!  - A contact at an edge or vertex is kept when no other part at `x` rises above the plane by more than 0.01 rad. The
 //!    valid normals at an edge or vertex of the whole body are those that are valid for all of its parts; as for bodies
-//!    without parts, a normal may be outside them by that angle, so that both ends of an edge on which a body rocks stay
-//!    contacts. It is also kept when it lies at the end of a face with normal `v` that is free beside `x`: the face of
-//!    the whole body ends there.
+//!    without parts, a normal may be outside them by that angle, so that both ends of an edge on which a body rocks
+//!    stay contacts. It is also kept when it lies at the end of a face with normal `v` that is free beside `x`: the
+//!    face of the whole body ends there.
 //!  - An edge or vertex between coplanar faces of several parts is not a feature of the whole body. Its edge crossings
 //!    are removed. Its vertex contact is replaced by a vertex of the other body when there is one, so that the contacts
 //!    are the vertices of the whole contact region.

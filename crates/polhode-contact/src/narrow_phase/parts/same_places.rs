@@ -2,8 +2,8 @@
 //!
 //! Several parts may have a contact at the same place. The one that is within its features is preferred to one beyond
 //! their border, which the next part has there. Otherwise the order of preference depends only on the features of the
-//! bodies, not on which body is called A: a vertex-face contact first, then one on a face, then one on an edge; then the
-//! higher face, vertex and edge number, then the feature of the upper body.
+//! bodies, not on which body is called A: a vertex-face contact first, then one on a face, then one on an edge; then
+//! the higher face, vertex and edge number, then the feature of the upper body.
 
 use crate::narrow_phase::region::upward::is_upward;
 use crate::{Contact, ContactFeature, Side, SurfaceFeature};
@@ -63,7 +63,8 @@ impl SamePlaces {
     }
 }
 
-/// A face is preferred to an edge, and an edge to other features: at the border of a part the next part continues the face.
+/// A face is preferred to an edge, and an edge to other features: at the border of a part the next part continues the
+/// face.
 const fn rank_of(feature: SurfaceFeature) -> u32 {
     match feature {
         SurfaceFeature::Face(_) => 2,

@@ -15,8 +15,8 @@
 //! | side of a cone | the apex and the lowest point of its rim | the line |
 //! | edge | its vertices | the edge |
 //!
-//! A line that lies along the border of a face, and has passed it, touches the edge all along, and no crossing of the two
-//! is defined. There the corners of the line are tried against that edge too.
+//! A line that lies along the border of a face, and has passed it, touches the edge all along, and no crossing of the
+//! two is defined. There the corners of the line are tried against that edge too.
 //!
 //! Every candidate is evaluated; those with a negative margin or a separation beyond the reach are dropped. Of two at
 //! one point the first in this order is kept: corners, crossings, the pair of elements with the largest separation

@@ -12,11 +12,11 @@
 //! `chi = min_y n.(y - x)`, `chi' = min n.(v_Y - v_X + (w_Y - w_X) x r_y)` over the points `y` of the first minimum,
 //!
 //! with velocities at these points, and the normal fixed to X. The face is **open** when `chi >= -d`, with the touch
-//! distance `d` of the pair, and `chi' >= -NOT_APPROACHING v`, with the sum `v` of the speeds of both bodies there. Nothing
-//! but the two bodies and their motion decides.
+//! distance `d` of the pair, and `chi' >= -NOT_APPROACHING v`, with the sum `v` of the speeds of both bodies there.
+//! Nothing but the two bodies and their motion decides.
 //!
-//! For the surface of several bodies this means: a step up to the touch distance is passed, a higher one trips, and a gap
-//! does not matter to a body that has not sunk into it.
+//! For the surface of several bodies this means: a step up to the touch distance is passed, a higher one trips, and a
+//! gap does not matter to a body that has not sunk into it.
 //!
 //! Limits: a half-space has no border and a mesh no inside, so that neither has an open face.
 

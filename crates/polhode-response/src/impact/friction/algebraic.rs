@@ -2,10 +2,10 @@
 //!
 //! Both give `u_n+ = -e u_n-`. Whittaker 1904: the impulse that also leaves no slip, if it is in the cone of friction;
 //! otherwise `mu p_n` against the slip before. It may raise the energy (Kane and Levinson 1985). Chatterjee and Ruina
-//! 1998: with `p_I` the normal impulse that stops the approach and `p_II = -K^-1 u-` the impulse that stops the contact,
-//! `p = (1 + e) p_I + s (p_II - p_I)` with `s = 1 + e_t`, or the smaller `s` at which `p` is on the border of the cone.
-//! In the energy norm `p_I` and `p_II - p_I` are orthogonal and `2 dT = (e^2 - 1)|p_I|^2 + ((s - 1)^2 - 1)|p_II - p_I|^2`,
-//! which is not positive for `0 <= s <= 2`.
+//! 1998: with `p_I` the normal impulse that stops the approach and `p_II = -K^-1 u-` the impulse that stops the
+//! contact, `p = (1 + e) p_I + s (p_II - p_I)` with `s = 1 + e_t`, or the smaller `s` at which `p` is on the border of
+//! the cone. In the energy norm `p_I` and `p_II - p_I` are orthogonal and
+//! `2 dT = (e^2 - 1)|p_I|^2 + ((s - 1)^2 - 1)|p_II - p_I|^2`, which is not positive for `0 <= s <= 2`.
 
 use super::coulomb::{Coulomb, ZeroSlip};
 use super::plane;

@@ -3,8 +3,8 @@
 //! `u+ = u- + K p` with `u = (u_n, u_t1, u_t2)` the relative velocity of A over B at the contact point, `p` the impulse
 //! on A in the same axes (normal from B to A, then two tangents) and
 //! `K = (1/m_A + 1/m_B) 1 - [r_A]x I_A^-1 [r_A]x - [r_B]x I_B^-1 [r_B]x`, 1/kg: the three rows of the contact in the
-//! Delassus matrix. `K` is symmetric and positive semidefinite. It is singular where joints hold the bodies: a body on a
-//! pivot feels no impulse along the arm.
+//! Delassus matrix. `K` is symmetric and positive semidefinite. It is singular where joints hold the bodies: a body on
+//! a pivot feels no impulse along the arm.
 //!
 //! Source: Routh 1905, chapter 5; Keller 1986; Mirtich 1996 (the name).
 

@@ -1,10 +1,13 @@
-//! Friction of contacts without slip, where their normal forces are given (Tresca's law): which stick, and where the others go.
+//! Friction of contacts without slip, where their normal forces are given (Tresca's law): which stick, and where the
+//! others go.
 //!
-//! With normal forces `r_i` and the forces of all that slips already, find `q_i`, `|q_i| <= mu_i r_i`, with `a = c + G_tt q` and
-//! either `a_i = 0` or `q_i = -mu_i r_i a_i/|a_i|`: the minimum of the convex `q.G_tt q/2 + c.q` on discs, so that `a` exists and
-//! is unique, however many contacts hold the same body (`q` is not, then). Forces in N or impulses in N s, `G` in 1/kg.
+//! With normal forces `r_i` and the forces of all that slips already, find `q_i`, `|q_i| <= mu_i r_i`, with
+//! `a = c + G_tt q` and either `a_i = 0` or `q_i = -mu_i r_i a_i/|a_i|`: the minimum of the convex `q.G_tt q/2 + c.q`
+//! on discs, so that `a` exists and is unique, however many contacts hold the same body (`q` is not, then). Forces in N
+//! or impulses in N s, `G` in 1/kg.
 //!
-//! Method: contact by contact ([`Coulomb::leaving_zero_slip`], exact for one), from the answer before, until nothing changes.
+//! Method: contact by contact ([`Coulomb::leaving_zero_slip`], exact for one), from the answer before, until nothing
+//! changes.
 //!
 //! Source: Duvaut and Lions 1972 (friction with given normal forces).
 
@@ -38,8 +41,8 @@ impl HeldSlip {
         self.sticks[contact]
     }
 
-    /// Finds the friction of the contacts that are `held`, for the forces in `growth` (of all rows), and puts it there. `matrix` is
-    /// that of all rows, row-major.
+    /// Finds the friction of the contacts that are `held`, for the forces in `growth` (of all rows), and puts it there.
+    /// `matrix` is that of all rows, row-major.
     pub(super) fn solve(
         &mut self,
         contacts: &[SpringContact],
@@ -78,7 +81,8 @@ impl HeldSlip {
     }
 }
 
-/// What one contact does while the others keep their forces: its tangential force over its normal one, and whether it sticks.
+/// What one contact does while the others keep their forces: its tangential force over its normal one, and whether it
+/// sticks.
 fn one(contact: &SpringContact, matrix: &[f64], growth: &[f64], rows: usize) -> (Tangent, bool) {
     let own = contact.row + 1..contact.row + 1 + contact.tangents;
     let normal = growth[contact.row];

@@ -61,7 +61,7 @@ pub enum MultipleImpactLaw {
     Simultaneous,
     /// One contact at a time, in the order of the blocks, each by the law of a single contact, until none approaches.
     Sequence,
-    /// The contacts as springs that spend what they have taken, with Coulomb's friction meanwhile (Liu, Zhao and Brogliato).
-    /// Symmetric, says how momentum spreads, and never raises the energy.
+    /// The contacts as springs that spend what they have taken, with Coulomb's friction meanwhile (Liu, Zhao and
+    /// Brogliato). Symmetric, says how momentum spreads, and never raises the energy.
     Pulse(PulseExponent),
 }

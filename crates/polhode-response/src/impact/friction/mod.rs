@@ -1,10 +1,10 @@
 //! Impacts with friction.
 //!
-//! The impulse `p = (p_n, p_t)` of a contact is in Coulomb's cone, `|p_t| <= mu p_n`, and opposes the slip `u_t`. In the
-//! short time of an impact the slip may turn, stop and reverse, so that a law on the velocities before and after is not
-//! enough: the velocity is followed as the normal impulse grows (Routh 1905; Keller 1986), and with friction the three
-//! measures of restitution (Newton, Poisson, Stronge) differ. Newton's may raise the energy, Stronge's never does, which
-//! is why it is the default here.
+//! The impulse `p = (p_n, p_t)` of a contact is in Coulomb's cone, `|p_t| <= mu p_n`, and opposes the slip `u_t`. In
+//! the short time of an impact the slip may turn, stop and reverse, so that a law on the velocities before and after is
+//! not enough: the velocity is followed as the normal impulse grows (Routh 1905; Keller 1986), and with friction the
+//! three measures of restitution (Newton, Poisson, Stronge) differ. Newton's may raise the energy, Stronge's never
+//! does, which is why it is the default here.
 //!
 //! | module | holds |
 //! |---|---|

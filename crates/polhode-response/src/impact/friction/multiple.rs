@@ -1,9 +1,10 @@
 //! An impact with friction at several contacts.
 //!
-//! The contacts are the blocks of a [`FrictionProblem`] whose constant terms are the velocities before. Contacts that do not
-//! move each other are struck on their own: one contact alone by the law of a single contact, whose path through slip,
-//! stick and reversal is exact; several by [`MultipleImpactLaw`]. A contact that resists rotations is struck by the cone problem
-//! of several contacts, also alone: its path has laws of slip for its rolling and its spinning as well.
+//! The contacts are the blocks of a [`FrictionProblem`] whose constant terms are the velocities before. Contacts that
+//! do not move each other are struck on their own: one contact alone by the law of a single contact, whose path through
+//! slip, stick and reversal is exact; several by [`MultipleImpactLaw`]. A contact that resists rotations is struck by
+//! the cone problem of several contacts, also alone: its path has laws of slip for its rolling and its spinning as
+//! well.
 
 use super::law::{MultipleImpactLaw, RestitutionLaw};
 use super::multiple_outcome::{MultipleImpact, MultipleImpactStatus};
@@ -54,8 +55,8 @@ impl Default for MultipleImpactSettings {
 /// ```
 /// use polhode_response::friction::FrictionProblem;
 /// use polhode_response::{Law, MultipleFrictionalImpact, MultipleImpactSettings, MultipleImpactStatus};
-/// // A box of 1 kg and 1 m falls flat on two corners, in a plane, at 1 m/s down and 0.2 m/s along. Rows: normal and tangent
-/// // of the left corner, then of the right one; inertia 1/6 kg m^2, arms (-1/2, -1/2) and (1/2, -1/2).
+/// // A box of 1 kg and 1 m falls flat on two corners, in a plane, at 1 m/s down and 0.2 m/s along. Rows: normal and
+/// // tangent of the left corner, then of the right one; inertia 1/6 kg m^2, arms (-1/2, -1/2) and (1/2, -1/2).
 /// let row = |x: f64, y: f64, moment: f64| [x, y, 6.0_f64.sqrt() * moment];
 /// let rows = [row(0.0, 1.0, -0.5), row(1.0, 0.0, 0.5), row(0.0, 1.0, 0.5), row(1.0, 0.0, 0.5)];
 /// let dot = |a: [f64; 3], b: [f64; 3]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
@@ -81,8 +82,8 @@ pub struct MultipleFrictionalImpact<'a> {
     pub contacts: &'a FrictionProblem,
     /// Restitution of each block, from 0 to 1; that of a joint is not used.
     pub restitution: &'a [f64],
-    /// Blocks (ascending) that stand for several contacts each, as a contact and its mirror image in a plane: they are struck
-    /// as several contacts are, also where there is no other.
+    /// Blocks (ascending) that stand for several contacts each, as a contact and its mirror image in a plane: they are
+    /// struck as several contacts are, also where there is no other.
     pub stand_for_several: &'a [usize],
     /// How contacts that move each other share the impact.
     pub law: MultipleImpactLaw,
@@ -102,9 +103,9 @@ impl MultipleFrictionalImpact<'_> {
     }
 
     /// Resolves a jam: contacts that touch and slide, and for which no finite forces satisfy Coulomb's law (Painleve).
-    /// `free_accelerations` are those of all rows without contact forces, m/s^2; the contacts that they press together are
-    /// struck, without restitution, by the impulses that steps of time tend to as they become shorter. Nothing happens
-    /// where finite forces exist.
+    /// `free_accelerations` are those of all rows without contact forces, m/s^2; the contacts that they press together
+    /// are struck, without restitution, by the impulses that steps of time tend to as they become shorter. Nothing
+    /// happens where finite forces exist.
     ///
     /// # Errors
     /// Those of [`resolve`](Self::resolve).

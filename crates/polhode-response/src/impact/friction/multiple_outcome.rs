@@ -55,8 +55,8 @@ pub struct MultipleImpact {
     /// Velocity of each row afterwards, m/s: normal velocities are not negative, tangential ones exactly 0 where a
     /// contact sticks.
     pub velocities_after: Vec<f64>,
-    /// Work of the normal row of each contact, J; for joints, of all rows. Where the contacts share an impact, that along
-    /// the straight way from the velocities before to those afterwards.
+    /// Work of the normal row of each contact, J; for joints, of all rows. Where the contacts share an impact, that
+    /// along the straight way from the velocities before to those afterwards.
     pub normal_work: Vec<f64>,
     /// Work of the tangential rows of each contact, J; likewise.
     pub friction_work: Vec<f64>,

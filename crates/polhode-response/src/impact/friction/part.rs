@@ -12,8 +12,8 @@ use crate::sparse::BodySolver;
 use crate::sparse::from_blocks::solve_behind;
 use std::ops::Range;
 
-/// A rise of energy above this fraction of `sum |p_i| (|u_i-| + |u_i+|) / 2` is real (no unit): cone problems are solved
-/// to some 1e-13 of the velocities.
+/// A rise of energy above this fraction of `sum |p_i| (|u_i-| + |u_i+|) / 2` is real (no unit): cone problems are
+/// solved to some 1e-13 of the velocities.
 pub(super) const CONE_ENERGY_ROUNDING: f64 = 1e-11;
 
 /// Most rows whose matrix is factorised where the velocities of bodies were not solved for exactly enough (200 to 600).
@@ -110,8 +110,8 @@ impl Part {
     ) -> Result<ConeAnswer, ResponseError> {
         let problem = chosen_blocks(&self.contacts, chosen, constant)?;
         let rows: Vec<usize> = chosen.iter().flat_map(|&block| self.contacts.range(block)).collect();
-        // From zero where nothing is known: Newton's method finds the same answer for contacts in any order, while sweeps
-        // prefer those that come first, where the impulses are not unique.
+        // From zero where nothing is known: Newton's method finds the same answer for contacts in any order, while
+        // sweeps prefer those that come first, where the impulses are not unique.
         let start: Vec<f64> = rows.iter().map(|&row| start.map_or(0.0, |start| start[row])).collect();
         let system = (&mut self.bodies, &self.settings);
         // Bodies that some force cannot move have no factor.

@@ -24,7 +24,8 @@ const VANISHING: f64 = 1e-20;
 /// A speed of slip below this fraction of the velocity before is zero (no unit): its square would underflow.
 const ZERO: f64 = 1e-140;
 
-/// What rounding leaves of the normal velocity of a contact that nothing moves, relative to the velocity before (no unit).
+/// What rounding leaves of the normal velocity of a contact that nothing moves, relative to the velocity before (no
+/// unit).
 const WEDGED: f64 = 1e-9;
 
 /// How a path ended.
@@ -34,8 +35,8 @@ pub(super) enum PathEnd {
     Complete,
     /// It sticks, and no impulse within the cone moves it.
     Wedged,
-    /// It sticks, still approaches, and no impulse within the cone moves it: the velocity before is none that the bodies
-    /// can have.
+    /// It sticks, still approaches, and no impulse within the cone moves it: the velocity before is none that the
+    /// bodies can have.
     Inconsistent,
     /// Too many pieces: the outcome is not to be trusted.
     Unfinished,

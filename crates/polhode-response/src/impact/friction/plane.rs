@@ -47,8 +47,8 @@ pub(super) fn times(m: Symmetric, a: Tangent) -> Tangent {
     [m[0] * a[0] + m[1] * a[1], m[1] * a[0] + m[2] * a[1]]
 }
 
-/// `m^-1 a` for a positive definite matrix; its least solution where `m` is singular to `rank_cut` (no unit, relative to
-/// the trace) and `a` is in its range.
+/// `m^-1 a` for a positive definite matrix; its least solution where `m` is singular to `rank_cut` (no unit, relative
+/// to the trace) and `a` is in its range.
 pub(super) fn solve(m: Symmetric, a: Tangent, rank_cut: f64) -> Tangent {
     let trace = m[0] + m[2];
     if trace <= 0.0 {

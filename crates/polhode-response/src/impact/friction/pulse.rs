@@ -1,15 +1,15 @@
 //! Several contacts with friction struck as springs that spend what they have taken (Liu, Zhao and Brogliato).
 //!
-//! The law of `impact = "pulse"` where contacts have friction: normal impulses grow as springs of one stiffness push, those of
-//! friction by Coulomb's law at the slip of the moment, so that slip may stop, stick and reverse within the impact, at each contact at
-//! its own time (`springs.rs`). A contact that is struck alone follows Routh's path to Stronge's end, which is the same law in
-//! closed form. Joints are held throughout.
+//! The law of `impact = "pulse"` where contacts have friction: normal impulses grow as springs of one stiffness push,
+//! those of friction by Coulomb's law at the slip of the moment, so that slip may stop, stick and reverse within the
+//! impact, at each contact at its own time (`springs.rs`). A contact that is struck alone follows Routh's path to
+//! Stronge's end, which is the same law in closed form. Joints are held throughout.
 //!
 //! Energy: each contact loses `(1 - e^2) W` of the work `W` that it takes, and what friction takes.
 //!
-//! How it fails: a body that is wedged and keeps all its energy is compressed without end; beyond [`MOST_COMPRESSIONS`] what
-//! approaches still is stopped by one inelastic cone problem ([`MultipleImpactStatus::StoppedAtThreshold`]). Contacts that resist
-//! rolling or spinning are no part of the law, and are refused.
+//! How it fails: a body that is wedged and keeps all its energy is compressed without end; beyond [`MOST_COMPRESSIONS`]
+//! what approaches still is stopped by one inelastic cone problem ([`MultipleImpactStatus::StoppedAtThreshold`]).
+//! Contacts that resist rolling or spinning are no part of the law, and are refused.
 //!
 //! Source: Liu, Zhao and Brogliato 2008, 2009.
 
@@ -22,8 +22,9 @@ use super::springs::{PulseExponent, Springs};
 use crate::error::ResponseError;
 use crate::law::Law;
 
-/// Most compressions of an impact (1e3 to 1e5). A body between others is compressed about as often as the root of the ratio of
-/// their masses says where no energy is lost, a ratio of some 1e6 here, and as often as that ratio itself where much is lost.
+/// Most compressions of an impact (1e3 to 1e5). A body between others is compressed about as often as the root of the
+/// ratio of their masses says where no energy is lost, a ratio of some 1e6 here, and as often as that ratio itself
+/// where much is lost.
 pub(crate) const MOST_COMPRESSIONS: usize = 2_000;
 
 /// Strikes all contacts of a part, whose joints do not move.

@@ -1,11 +1,13 @@
-//! Several contacts with friction struck one at a time, in the order of the blocks (thesis, section 3.3, with friction).
+//! Several contacts with friction struck one at a time, in the order of the blocks (thesis, section 3.3, with
+//! friction).
 //!
-//! The first contact that approaches gets the impulse of the law of a single contact; then the search starts again. Joints
-//! take part in each: their reactions to an impulse at the contact are found once, and the collision matrix is that with
-//! the joints held. Each impulse by itself keeps what its law promises, so that the energy does not rise by Stronge's.
+//! The first contact that approaches gets the impulse of the law of a single contact; then the search starts again.
+//! Joints take part in each: their reactions to an impulse at the contact are found once, and the collision matrix is
+//! that with the joints held. Each impulse by itself keeps what its law promises, so that the energy does not rise by
+//! Stronge's.
 //!
-//! Assumption: the order of the blocks means something to the caller. Sequences that decay without end are cut off below
-//! a threshold relative to the first approach, and what is left is removed by one inelastic cone problem.
+//! Assumption: the order of the blocks means something to the caller. Sequences that decay without end are cut off
+//! below a threshold relative to the first approach, and what is left is removed by one inelastic cone problem.
 
 use super::collision_matrix::CollisionMatrix;
 use super::law::RestitutionLaw;
@@ -24,12 +26,12 @@ const ENOUGH: f64 = 0.1;
 /// The largest residual of the last cone problem that is accepted (no unit).
 const LARGEST_RESIDUAL: f64 = 0.01;
 
-/// The part of its inverse mass along the normal that joints must leave a contact for its collision matrix to be formed (no
-/// unit, 1e-8 to 1e-4): that has an error of some rounding units of the whole inverse mass.
+/// The part of its inverse mass along the normal that joints must leave a contact for its collision matrix to be formed
+/// (no unit, 1e-8 to 1e-4): that has an error of some rounding units of the whole inverse mass.
 const LEAST_FREEDOM: f64 = 1e-6;
 
-/// An approach below this part of the largest velocity is rounding where joints leave a contact no freedom (no unit, 1e-14 to
-/// 1e-10): some hundred rounding units.
+/// An approach below this part of the largest velocity is rounding where joints leave a contact no freedom (no unit,
+/// 1e-14 to 1e-10): some hundred rounding units.
 const APPROACH_ROUNDING: f64 = 1e-12;
 
 /// What an impulse at one contact does.
@@ -82,8 +84,8 @@ pub(super) fn strike_alone(
     }
 }
 
-/// Strikes a contact that resists rotations, or that joints leave hardly any freedom, by the cone problem of its rows and those
-/// of the joints. An approach of a contact without freedom is rounding, and is taken for none.
+/// Strikes a contact that resists rotations, or that joints leave hardly any freedom, by the cone problem of its rows
+/// and those of the joints. An approach of a contact without freedom is rounding, and is taken for none.
 fn strike_with_joints(part: &mut Part, struck: &mut Struck, block: usize) -> Result<(), ResponseError> {
     let mut chosen = vec![block];
     chosen.extend(part.joints());
@@ -113,8 +115,8 @@ fn strike_with_joints(part: &mut Part, struck: &mut Struck, block: usize) -> Res
     Ok(())
 }
 
-/// What an impulse at `block` does, with all joints held. None where these leave it hardly any freedom along the normal: of its
-/// collision matrix most digits are lost then.
+/// What an impulse at `block` does, with all joints held. None where these leave it hardly any freedom along the
+/// normal: of its collision matrix most digits are lost then.
 fn reaction_at(part: &mut Part, block: usize) -> Result<Option<Reaction>, ResponseError> {
     let range = part.contact_rows(block);
     let UnitReactions { impulses, changes } = UnitReactions::of(part, range.clone())?;
@@ -135,8 +137,8 @@ fn reaction_at(part: &mut Part, block: usize) -> Result<Option<Reaction>, Respon
     Ok(Some(Reaction { collision, friction, impulses, changes }))
 }
 
-/// A collision matrix with joints held, positive semidefinite: what the joints take from it leaves rounding, by which the
-/// tangential part may fall below what its coupling with the normal asks for. The normal entry is above zero.
+/// A collision matrix with joints held, positive semidefinite: what the joints take from it leaves rounding, by which
+/// the tangential part may fall below what its coupling with the normal asks for. The normal entry is above zero.
 fn without_rounding(matrix: [[f64; 3]; 3]) -> [[f64; 3]; 3] {
     let [[n, k1, k2], [_, t11, t12], [.., t22]] = matrix;
     let own = [k1 * (k1 / n), k1 * (k2 / n), k2 * (k2 / n)];
@@ -185,9 +187,9 @@ fn apply(
     Ok(())
 }
 
-/// Stops what still approaches by one inelastic cone problem. What a sequence leaves when it ends is below the threshold
-/// and often no more than rounding, which contradicts itself at redundant contacts: it is stopped to a part of the
-/// threshold.
+/// Stops what still approaches by one inelastic cone problem. What a sequence leaves when it ends is below the
+/// threshold and often no more than rounding, which contradicts itself at redundant contacts: it is stopped to a part
+/// of the threshold.
 pub(super) fn finish(part: &mut Part, struck: &mut Struck) -> Result<(), ResponseError> {
     let all: Vec<usize> = (0..part.contacts.len()).collect();
     let settings = part.settings;

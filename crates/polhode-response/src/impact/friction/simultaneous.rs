@@ -2,15 +2,15 @@
 //!
 //! Two questions are answered one after the other.
 //!
-//! 1. Which normal velocities? Those of the generalised reflection, as without friction: the mean of the inelastic impact
-//!    at all contacts and of the elastic rounds at those that approach, `w = (1 - e) u_inel + e u_el` contact by contact,
-//!    each step a cone problem with friction.
+//! 1. Which normal velocities? Those of the generalised reflection, as without friction: the mean of the inelastic
+//!    impact at all contacts and of the elastic rounds at those that approach, `w = (1 - e) u_inel + e u_el` contact by
+//!    contact, each step a cone problem with friction.
 //! 2. Which impulses? Those that obey Coulomb's law at the velocities afterwards and do not leave slower than asked:
 //!    `0 <= u_n+ - w _|_ p_n >= 0`, one cone problem.
 //!
-//! Without friction the second answer is the first one. With friction the normal velocities asked for may cost more work
-//! than the contacts took, as Newton's law does at a single contact. They are lowered to `lambda w`, with the largest
-//! `lambda` in `[0, 1]` for which
+//! Without friction the second answer is the first one. With friction the normal velocities asked for may cost more
+//! work than the contacts took, as Newton's law does at a single contact. They are lowered to `lambda w`, with the
+//! largest `lambda` in `[0, 1]` for which
 //!
 //! - the kinetic energy does not rise: `p.(u- + u+)/2 <= 0`;
 //! - the normal impulses give back at most `e^2` of the work that the inelastic impact takes (Stronge), and what the
@@ -19,8 +19,8 @@
 //! `lambda = 0` is the inelastic impact, which keeps both: with `p.u+ = -mu p_n |u_t+| <= 0` the energy changes by
 //! `p.u+ - p.G p / 2 <= 0`.
 //!
-//! Assumption: the cone problem has a solution; bodies that are squeezed between others have none, and the status says so.
-//! Source: Moreau 1988; Smith et al. 2012; Glocker (energy); Stronge 1990.
+//! Assumption: the cone problem has a solution; bodies that are squeezed between others have none, and the status says
+//! so. Source: Moreau 1988; Smith et al. 2012; Glocker (energy); Stronge 1990.
 
 use super::multiple_outcome::MultipleImpactStatus;
 use super::part::{CONE_ENERGY_ROUNDING, ConeAnswer, Part, Struck, energy};
@@ -42,8 +42,8 @@ const SLOW_STEPS: usize = 3;
 /// An excess that is zero to the residual of the cone problems (no unit).
 const EXCESS_ROUNDING: f64 = 1e-13;
 
-/// Impulses are shortened for the rounding of the energy to this at most (no unit): the residual of the cone problems is far
-/// below, and a real gain is a defect that must show.
+/// Impulses are shortened for the rounding of the energy to this at most (no unit): the residual of the cone problems
+/// is far below, and a real gain is a defect that must show.
 const SHORTEST: f64 = 1.0 - 1e-7;
 
 /// An answer: impulses and velocities of all rows of a part.
@@ -57,8 +57,8 @@ struct Answer {
 #[derive(Debug, Clone)]
 struct Attempt {
     answer: Answer,
-    /// By how much it does more work than it may, relative to the work of all impulses (no unit); infinite where the cone
-    /// problem was not solved.
+    /// By how much it does more work than it may, relative to the work of all impulses (no unit); infinite where the
+    /// cone problem was not solved.
     excess: f64,
     /// The same, J.
     surplus_j: f64,
@@ -103,8 +103,8 @@ struct Asked<'a> {
     work: f64,
 }
 
-/// Strikes all contacts of a part, whose joints do not move. False when the cone problem of the inelastic impact was not
-/// solved, and nothing was done.
+/// Strikes all contacts of a part, whose joints do not move. False when the cone problem of the inelastic impact was
+/// not solved, and nothing was done.
 pub(super) fn strike_together(part: &mut Part, struck: &mut Struck) -> Result<bool, ResponseError> {
     let before = struck.velocities.clone();
     let Some(mut answer) = answer(part, &before)? else { return Ok(false) };
@@ -113,8 +113,8 @@ pub(super) fn strike_together(part: &mut Part, struck: &mut Struck) -> Result<bo
     Ok(true)
 }
 
-/// Rounding must not be in favour of energy: shortens all impulses by what takes its gain out, along `p.u+`, the rate at
-/// which the energy grows with their length. They stay in their cones.
+/// Rounding must not be in favour of energy: shortens all impulses by what takes its gain out, along `p.u+`, the rate
+/// at which the energy grows with their length. They stay in their cones.
 fn take_out_gain(part: &Part, before: &[f64], impulses: &mut [f64]) {
     let after = part.after(before, impulses);
     let (gain, _) = energy(impulses, before, &after);
@@ -155,8 +155,8 @@ fn attempt(part: &mut Part, asked: &Asked<'_>, lambda: f64, start: &[f64]) -> Re
     Ok(found.map_or_else(Attempt::not_solved, |answer| Attempt::new(part, asked, answer)))
 }
 
-/// Solves a cone problem, and `where` there are others to try in its place, without the last resorts: where Newton's method
-/// from two starts and the convex programme find no answer, hundreds of sweeps seldom do.
+/// Solves a cone problem, and `where` there are others to try in its place, without the last resorts: where Newton's
+/// method from two starts and the convex programme find no answer, hundreds of sweeps seldom do.
 fn quickly_where<T>(there_are_others: bool, part: &mut Part, solve: impl FnOnce(&mut Part) -> T) -> T {
     let settings = part.settings;
     part.settings.last_sweeps = 0;
@@ -168,10 +168,10 @@ fn quickly_where<T>(there_are_others: bool, part: &mut Part, solve: impl FnOnce(
     answer
 }
 
-/// The answer for the largest number in `[0, 1]` (`lambda`, or the restitution of a round) without excess, from the answers
-/// at 0 and at 1, of which the latter has some. Work is quadratic in it as long as no contact begins to stick or slide: the next
-/// one is the zero of the parabola through the ends of the interval and the end before, where it lies inside and the interval
-/// shrinks, and the middle otherwise.
+/// The answer for the largest number in `[0, 1]` (`lambda`, or the restitution of a round) without excess, from the
+/// answers at 0 and at 1, of which the latter has some. Work is quadratic in it as long as no contact begins to stick
+/// or slide: the next one is the zero of the parabola through the ends of the interval and the end before, where it
+/// lies inside and the interval shrinks, and the middle otherwise.
 fn largest(
     at_0: Attempt,
     at_1: &Attempt,
@@ -259,8 +259,8 @@ fn settled(part: &Part, solution: &FrictionSolution, asked: &[f64]) -> Vec<f64> 
     velocities
 }
 
-/// The elastic rounds: contacts that approach leave as fast as they came, until none approaches. Where friction would raise
-/// the energy of a round so, they leave with the largest restitution that does not.
+/// The elastic rounds: contacts that approach leave as fast as they came, until none approaches. Where friction would
+/// raise the energy of a round so, they leave with the largest restitution that does not.
 fn reflected(part: &mut Part, before: &[f64]) -> Result<Answer, ResponseError> {
     let mut total = Answer { impulses: vec![0.0; before.len()], velocities: before.to_vec() };
     let joints = part.joints();
@@ -289,8 +289,8 @@ fn reflected(part: &mut Part, before: &[f64]) -> Result<Answer, ResponseError> {
     Ok(total)
 }
 
-/// One round: the `chosen` contacts leave with this restitution, from these velocities of all rows (m/s). Its surplus is by how
-/// much the energy rises.
+/// One round: the `chosen` contacts leave with this restitution, from these velocities of all rows (m/s). Its surplus
+/// is by how much the energy rises.
 fn rebound(
     part: &mut Part,
     chosen: &[usize],

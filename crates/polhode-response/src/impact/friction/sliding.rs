@@ -95,9 +95,9 @@ impl SlidingContact {
         })
     }
 
-    /// The impact without a collision: the path of an impact that begins with this slip and no approach. Nothing happens
-    /// where the contact does not jam, whatever accelerates it. With Newton's law and `e > 0` too the bodies part without
-    /// restitution, for there is no approach to restore.
+    /// The impact without a collision: the path of an impact that begins with this slip and no approach. Nothing
+    /// happens where the contact does not jam, whatever accelerates it. With Newton's law and `e > 0` too the bodies
+    /// part without restitution, for there is no approach to restore.
     ///
     /// # Errors
     /// Those of [`normal_rate`](Self::normal_rate) and [`SingleFrictionalImpact::resolve`].

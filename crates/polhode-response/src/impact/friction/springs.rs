@@ -2,25 +2,29 @@
 //!
 //! In the indentation `d_i` of contact `i` and the variable `s` in which its force runs,
 //!
-//! `d_i' = -c_i u_i`, `p_n,i' = K d_i^eta`, `u = u- + G p`, with `c_i = 1` while it closes and `1/e_i^2` while it opens,
+//! `d_i' = -c_i u_i`, `p_n,i' = K d_i^eta`, `u = u- + G p`, with `c_i = 1` while it closes and `1/e_i^2` while it
+//! opens,
 //!
-//! and friction `|p_t,i'| <= mu_i p_n,i'`: against the slip where there is one, and otherwise the least that holds the contact, if
-//! any does (`held_slip.rs`). `u` in m/s, `p` in N s, `G` in 1/kg; `K` (the same at all contacts) and the unit of `s` cancel.
-//! With `E_i = K d_i^(1 + eta)/(1 + eta)` this is `dp_i/dp_j = (E_i/E_j)^(eta/(1 + eta))`, without the start from 0/0.
+//! and friction `|p_t,i'| <= mu_i p_n,i'`: against the slip where there is one, and otherwise the least that holds the
+//! contact, if any does (`held_slip.rs`). `u` in m/s, `p` in N s, `G` in 1/kg; `K` (the same at all contacts) and the
+//! unit of `s` cancel. With `E_i = K d_i^(1 + eta)/(1 + eta)` this is `dp_i/dp_j = (E_i/E_j)^(eta/(1 + eta))`, without
+//! the start from 0/0.
 //!
-//! The work that a contact takes while it closes is `W_i`, what it gives back `e_i^2 W_i`, and friction gives none: the energy
-//! changes by `-sum_i (1 - e_i^2) W_i` and the work of friction. One contact alone, whatever `eta`, follows Routh's path to
-//! Stronge's end. Normal forces are never asked to be what they cannot: a jam (Painleve) compresses the spring until the slip ends.
+//! The work that a contact takes while it closes is `W_i`, what it gives back `e_i^2 W_i`, and friction gives none: the
+//! energy changes by `-sum_i (1 - e_i^2) W_i` and the work of friction. One contact alone, whatever `eta`, follows
+//! Routh's path to Stronge's end. Normal forces are never asked to be what they cannot: a jam (Painleve) compresses the
+//! spring until the slip ends.
 //!
-//! Method: Dormand and Prince's pair of orders 5 and 4, steps by the estimated error ([`STEP_ERROR`]) in pieces: where a contact
-//! begins, turns, opens, stops slipping or starts to, a piece ends, found by the secant within its bracket to rounding. It ends
+//! Method: Dormand and Prince's pair of orders 5 and 4, steps by the estimated error ([`STEP_ERROR`]) in pieces: where
+//! a contact begins, turns, opens, stops slipping or starts to, a piece ends, found by the secant within its bracket to
+//! rounding. It ends
 //!
 //! - when all contacts are open and none approaches;
 //! - when what they store, and may still take, is below [`SPENT_ENERGY`];
 //! - when loaded contacts neither move nor are moved: bodies at rest between others, whose springs hold each other.
 //!
-//! How it fails: bodies between others that keep all energy are compressed without end, and a body that is far lighter than those
-//! around it nearly so. Beyond a number of compressions that the caller gives the walk stops, and says so.
+//! How it fails: bodies between others that keep all energy are compressed without end, and a body that is far lighter
+//! than those around it nearly so. Beyond a number of compressions that the caller gives the walk stops, and says so.
 //!
 //! Source: Liu, Zhao and Brogliato 2008 and 2009 (friction); Dormand and Prince 1980.
 
@@ -79,18 +83,19 @@ const SPENT_APPROACH: f64 = 1e-10;
 /// The energy of such an approach, in units of the first one's: what is stored below it moves nothing faster.
 const SPENT_ENERGY: f64 = SPENT_APPROACH * SPENT_APPROACH;
 
-/// The same at a contact without restitution (no unit, 1e-6 to 1e-3): it would go on in ever smaller compressions, which a stop
-/// without restitution has as their limit.
+/// The same at a contact without restitution (no unit, 1e-6 to 1e-3): it would go on in ever smaller compressions,
+/// which a stop without restitution has as their limit.
 const END_WITHOUT_REBOUND: f64 = 1e-4;
 
 /// Restitution below this gives nothing back (no unit): the springs that open would be `1/e^2` times as stiff.
 const NO_REBOUND: f64 = 2e-2;
 
-/// A slip below this part of the first approach has stopped (no unit): in space its direction turns ever faster towards its end.
+/// A slip below this part of the first approach has stopped (no unit): in space its direction turns ever faster towards
+/// its end.
 const ENDED_SLIP: f64 = 1e-10;
 
-/// A contact that starts to slip has the direction that its loads ask for, not that of its slip, up to this part of the first
-/// approach (no unit, 1e-7 to 1e-5): before, the two differ by the rounding of a slip that is hardly there.
+/// A contact that starts to slip has the direction that its loads ask for, not that of its slip, up to this part of the
+/// first approach (no unit, 1e-7 to 1e-5): before, the two differ by the rounding of a slip that is hardly there.
 const STARTED_SLIP: f64 = 1e-6;
 
 /// Shortest step, in units of the time of a pulse (no unit): error control would go on below it where forces begin.
@@ -104,8 +109,8 @@ const LONGEST_PULSE_STEP: f64 = 0.1;
 const STEP_GROWTH: [f64; 2] = [0.1, 5.0];
 const STEP_MARGIN: f64 = 0.9;
 
-/// Steps for each compression that is allowed (100 to 1000): one takes 50 to 150. Light bodies that have come to rest between
-/// heavy ones are followed in steps of their own time, without being compressed.
+/// Steps for each compression that is allowed (100 to 1000): one takes 50 to 150. Light bodies that have come to rest
+/// between heavy ones are followed in steps of their own time, without being compressed.
 const STEPS_FOR_COMPRESSION: usize = 300;
 
 /// Most rounds of the search for the end of a piece: bisection alone would take 50.
@@ -181,8 +186,8 @@ pub(crate) struct Sprung {
 }
 
 impl Springs {
-    /// Of the rows of contacts, row-major `matrix` (1/kg) with the joints held, and velocities before (m/s). None where nothing
-    /// can be moved, or nothing approaches.
+    /// Of the rows of contacts, row-major `matrix` (1/kg) with the joints held, and velocities before (m/s). None where
+    /// nothing can be moved, or nothing approaches.
     pub(crate) fn of(
         mut contacts: Vec<SpringContact>,
         mut matrix: Vec<f64>,

@@ -1,9 +1,10 @@
 //! A piece of the path along which the direction of slip turns, as Taylor series.
 //!
-//! In the variable `s` with `dp_n = r ds`, in units in which the rates of slip are of size 1, the path has polynomial rates without a singularity at zero slip (rates `a`,
-//! `g`, `h` of [`Coulomb`]): `d' = h d_perp`, `r' = r g`, `p_n' = r`, `p_t' = -mu r d`, `W_n' = u_n r`,
-//! `W_t' = -mu r^2`, and `u_n = u_n- + K_nn p_n + k.p_t`. Slip ends at `s = infinity`, with `r` falling exponentially;
-//! once it has fallen to nothing, or the direction has settled, a straight piece goes on.
+//! In the variable `s` with `dp_n = r ds`, in units in which the rates of slip are of size 1, the path has polynomial
+//! rates without a singularity at zero slip (rates `a`, `g`, `h` of [`Coulomb`]): `d' = h d_perp`, `r' = r g`,
+//! `p_n' = r`, `p_t' = -mu r d`, `W_n' = u_n r`, `W_t' = -mu r^2`, and `u_n = u_n- + K_nn p_n + k.p_t`. Slip ends at
+//! `s = infinity`, with `r` falling exponentially; once it has fallen to nothing, or the direction has settled, a
+//! straight piece goes on.
 //!
 //! Order and step after Jorba and Zou 2005: at a fifth of the radius of convergence the first term left out is below
 //! the rounding unit.
@@ -22,8 +23,8 @@ const SHARE_OF_RADIUS: f64 = 0.2;
 /// coefficients underflow.
 const LONGEST: f64 = 64.0;
 
-/// Below this fraction of its terms the rate of the normal velocity is zero (no unit): a piece that began where the rate
-/// changes sign is not cut there again.
+/// Below this fraction of its terms the rate of the normal velocity is zero (no unit): a piece that began where the
+/// rate changes sign is not cut there again.
 const ZERO_RATE: f64 = 1e-13;
 
 /// Coefficients of a power series.
@@ -110,8 +111,8 @@ impl Turning {
         }
     }
 
-    /// The step that the last two coefficients allow: those of the direction and of the square of the relative speed, which
-    /// the works are integrals of.
+    /// The step that the last two coefficients allow: those of the direction and of the square of the relative speed,
+    /// which the works are integrals of.
     fn length(&self) -> f64 {
         let relative = self.speed.map(|coefficient| coefficient / self.speed[0]);
         let radius = |order: usize| {

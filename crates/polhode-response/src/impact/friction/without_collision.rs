@@ -1,10 +1,10 @@
 //! Impacts without a collision, at one contact or several (Painleve).
 //!
-//! Over a time `h` the bodies press on each other with velocities `h b`, `b` the accelerations without contact forces, and
-//! impulses with `u+ = u- + h b + G p` obey Coulomb's law. Where finite forces exist, `p` tends to zero with `h`; where none
-//! does, it tends to the impulse of the jam. Two cone problems, with a small `h` and twice that, give the limit by
-//! extrapolation: `p` is smooth in `h`, and what is left is of the order of its square. `h = 0` itself would not do, as
-//! `p = 0` is then an answer too.
+//! Over a time `h` the bodies press on each other with velocities `h b`, `b` the accelerations without contact forces,
+//! and impulses with `u+ = u- + h b + G p` obey Coulomb's law. Where finite forces exist, `p` tends to zero with `h`;
+//! where none does, it tends to the impulse of the jam. Two cone problems, with a small `h` and twice that, give the
+//! limit by extrapolation: `p` is smooth in `h`, and what is left is of the order of its square. `h = 0` itself would
+//! not do, as `p = 0` is then an answer too.
 //!
 //! Source: Stewart 2000, for the limit of steps of time; Genot and Brogliato 1999.
 
@@ -19,12 +19,12 @@ use crate::error::ResponseError;
 /// beside the residual of the cone problem.
 const PRESSED: f64 = 1e-7;
 
-/// Impulses that change velocities by less than this fraction of the largest velocity (no unit) are those of finite forces:
-/// a thousand times what pressed the contacts together.
+/// Impulses that change velocities by less than this fraction of the largest velocity (no unit) are those of finite
+/// forces: a thousand times what pressed the contacts together.
 const FINITE: f64 = 1e3 * PRESSED;
 
-/// Strikes the contacts of a part that the accelerations of its rows press together, where no finite forces resist them. One
-/// contact alone is struck by the law of `single`; by none where it stands for several.
+/// Strikes the contacts of a part that the accelerations of its rows press together, where no finite forces resist
+/// them. One contact alone is struck by the law of `single`; by none where it stands for several.
 pub(super) fn strike_without_collision(
     part: &mut Part,
     struck: &mut Struck,

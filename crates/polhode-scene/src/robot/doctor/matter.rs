@@ -1,8 +1,9 @@
 //! Masses, centres of mass and inertias of links against their shapes.
 //!
-//! A link is held against its shapes evenly filled: its density must be that of some material, its centre of mass near its shapes, and
-//! its principal moments within a factor of those of the filling. All this finds units and frames that are mistaken, by factors of
-//! thousands; a real part is neither even nor without cavities, and shapes for collisions are coarse.
+//! A link is held against its shapes evenly filled: its density must be that of some material, its centre of mass near
+//! its shapes, and its principal moments within a factor of those of the filling. All this finds units and frames that
+//! are mistaken, by factors of thousands; a real part is neither even nor without cavities, and shapes for collisions
+//! are coarse.
 
 use super::super::finding::{Findings, RobotDefect};
 use super::super::model::{Geom, GeomForm, Link};
@@ -18,11 +19,12 @@ use polhode::spatial::{Density, MassProperties, Pose, PrincipalAxes};
 /// Densities of parts of robots, kg/m^3: foam in a thin shell, and tungsten. Below and above a unit is mistaken.
 const DENSITIES: [f64; 2] = [10.0, 20_000.0];
 
-/// Ratio of a principal moment to that of the shape evenly filled beyond which it is told (no unit, 3 to 100): a motor at the end of a
-/// hollow arm gives a factor of a few.
+/// Ratio of a principal moment to that of the shape evenly filled beyond which it is told (no unit, 3 to 100): a motor
+/// at the end of a hollow arm gives a factor of a few.
 const MOMENT_RATIO: f64 = 20.0;
 
-/// How far outside the box around its shapes a centre of mass may be, relative to the diagonal of the box (no unit, 0.05 to 1).
+/// How far outside the box around its shapes a centre of mass may be, relative to the diagonal of the box (no unit,
+/// 0.05 to 1).
 const OUTSIDE: f64 = 0.25;
 
 /// Geometries filled with a density of one, and the lowest and highest corner of the box around them, m.

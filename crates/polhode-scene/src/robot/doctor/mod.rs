@@ -1,6 +1,7 @@
 //! Whether what a robot file says fits together: masses and inertias against shapes, meshes, links that overlap.
 //!
-//! What a file is refused for is found while it is read and assembled; here is what would simulate and is likely not what was meant.
+//! What a file is refused for is found while it is read and assembled; here is what would simulate and is likely not
+//! what was meant.
 //!
 //! | module | holds |
 //! |---|---|

@@ -7,7 +7,8 @@ use polhode::contact::{Shape, aabb_of, distance};
 use polhode::{Body, Geometry};
 use std::collections::BTreeSet;
 
-/// Overlap that is told, relative to the size of the smaller body (no unit, 1e-9 to 1e-2): less is touch, or rounding of a file.
+/// Overlap that is told, relative to the size of the smaller body (no unit, 1e-9 to 1e-2): less is touch, or rounding
+/// of a file.
 const TOLD: f64 = 1e-6;
 
 /// Examines all pairs.

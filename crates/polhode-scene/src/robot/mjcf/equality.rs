@@ -136,7 +136,8 @@ fn closure(
     Some(Closure { name, place, links: [a, b], frames, kind })
 }
 
-/// The frames of a weld: the second body in the first, when the file gives it, else as they are at the reference values.
+/// The frames of a weld: the second body in the first, when the file gives it, else as they are at the reference
+/// values.
 fn weld_frames(element: &Element, bodies: &Bodies<'_>, subject: &str, reading: &mut Reading) -> [Option<Pose>; 2] {
     let Some(numbers) = reading.numbers(element, "relpose", 7..=7, subject) else { return [None, None] };
     // A quaternion of zeros, the default, means the reference values.

@@ -1,0 +1,22 @@
+//! Validation cases, and the rows that they give.
+//!
+//! | module | holds |
+//! |---|---|
+//! | [`cases`] | the cases, one file per group |
+//! | [`row`] | one result |
+//! | [`mod@reference`] | the values that cases are compared with |
+//! | [`mod@cargo`], [`snapshot_environment`] | programs that a case builds and runs, and what insta is told by its environment |
+//! | [`elastic_table`] | the command: impacts of elastic rectangles, and to how many digits |
+//! | [`rigid_ipc`] | the command: scenes of the Rigid IPC suite in our format |
+//! | [`scene_units`] | a scene file in other units |
+
+pub mod cargo;
+pub mod cases;
+pub mod elastic_table;
+pub mod reference;
+pub mod rigid_ipc;
+pub mod row;
+pub mod scene_units;
+pub mod snapshot_environment;
+
+pub use cases::{ALL, Amount, CaseResult, Company, Context, QUICK, Run, company, guarded, random_scenes, tiers_agree};
