@@ -14,11 +14,8 @@ use crate::dense::kernels::axpy;
 use crate::dense::semidefinite::{Defect, find_defect};
 use crate::error::{ResponseError, check_finite, check_length};
 use crate::problem::{BLOCK_ROUNDING, ContactProblem, RowEntry};
+use crate::solve::way::IMPACT_IN_BODIES;
 use std::sync::Arc;
-
-/// From so many rows with friction on an impact is solved for in the velocities of bodies (100 to 300): with as many
-/// the factors of this matrix take longer than those of the bodies. Its rows are kept for that.
-const LEAST_ROWS_IN_BODIES: usize = 144;
 
 /// A dense, exactly symmetric Delassus matrix.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -138,7 +135,7 @@ impl ContactProblem {
         let size = self.len();
         delassus.size = size;
         let is_rigid = self.compliances().is_empty();
-        let is_kept = is_rigid && size >= LEAST_ROWS_IN_BODIES && !self.bilateral_rows(None).is_empty();
+        let is_kept = is_rigid && size >= IMPACT_IN_BODIES && !self.bilateral_rows(None).is_empty();
         delassus.rows = is_kept.then(|| Arc::new(self.clone()));
         #[cfg(feature = "census")]
         {

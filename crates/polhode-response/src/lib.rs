@@ -139,7 +139,7 @@ pub use problem::{ContactProblem, RowEntries};
 pub use report::{Method, SolverReport, SolverStatus};
 pub use settings::{FallbackPolicy, SolverSettings};
 pub use sliding::{SlidingRow, least_norm_sliding_forces, motion_depends_on_choice};
-pub use solve::{Solution, SolveSettings, solve};
+pub use solve::{Ask, Memory, RowProblem, solve};
 
 pub use polhode_spatial as spatial;
 

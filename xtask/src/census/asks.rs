@@ -30,7 +30,6 @@ const FILES: &[(&str, Ask)] = &[
     ("solve/open_loads.rs", Ask::Instant),
     ("solve/closed_loops.rs", Ask::Instant),
     ("solve/contradiction.rs", Ask::Instant),
-    ("solve/jointed.rs", Ask::Instant),
     ("stepped/forces_of_many.rs", Ask::Instant),
     ("stepped/present_forces.rs", Ask::Instant),
     ("accurate/load_views.rs", Ask::Instant),

@@ -19,7 +19,11 @@ use crate::friction::solver::solve_friction;
 use crate::law::{Law, Resistance};
 use crate::problem::ContactProblem;
 use crate::report::{Method, SolverReport};
+use std::ops::Range;
 use std::sync::Arc;
+
+/// Rows that are held together in one block: those of a point.
+const HELD_TOGETHER: usize = 3;
 
 /// A rotation that a contact may resist beside its slip.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -78,6 +82,14 @@ impl Blocks {
         self.rows.extend(rows);
         if !self.scales.is_empty() {
             self.scales.resize(self.rows.len(), 1.0);
+        }
+    }
+
+    /// Adds rows that are held, whatever the sign of their reactions: a few of them in each block.
+    pub fn hold(&mut self, rows: Range<usize>) {
+        for start in rows.clone().step_by(HELD_TOGETHER) {
+            let end = (start + HELD_TOGETHER).min(rows.end);
+            self.push(Law::Hold { rows: end - start }, start..end);
         }
     }
 

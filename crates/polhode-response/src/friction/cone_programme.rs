@@ -12,12 +12,10 @@ use crate::dense::kernels::{axpy, dot, largest};
 use crate::friction::problem::FrictionProblem;
 use crate::interior_point::{ConeProgramme, ConeRows, least_motion};
 use crate::law::Law;
+use crate::solve::way::CONE_PROGRAMME_MOST_ROWS;
 
 /// Pivots below this share of the largest diagonal entry count as zero (no unit): a hundred rounding units.
 const PIVOT_ROUNDING: f64 = 1e-14;
-
-/// Rows up to which the dense factor is formed.
-const MOST_ROWS: usize = 1500;
 
 /// What reactions that prove a problem to have no solution may move, relative to what the largest of them would move
 /// alone (no unit): the tolerance of the interior point with a margin.
@@ -40,7 +38,7 @@ impl<'a> LiftedForm<'a> {
     pub(crate) fn of(problem: &'a FrictionProblem) -> Option<Self> {
         let (matrix, size) = (problem.matrix(), problem.rows());
         let resist_rotations = problem.blocks().iter().any(|block| block.resists_rotation());
-        if size > MOST_ROWS || size == 0 || resist_rotations {
+        if size > CONE_PROGRAMME_MOST_ROWS || size == 0 || resist_rotations {
             return None;
         }
         let mut scales = vec![0.0; size];

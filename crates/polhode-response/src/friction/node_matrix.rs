@@ -17,6 +17,7 @@
 use crate::dense::kernels::{axpy, dot, largest};
 use crate::friction::block_matrix::BlockMatrix;
 use crate::friction::elimination_order::EliminationOrder;
+use crate::solve::way::REDUCED_FRONT;
 use std::ops::Range;
 
 /// Pivots below this share of the largest diagonal entry of a node depend on the others (no unit, 1e-14 to 1e-10): some
@@ -25,10 +26,6 @@ const DEPENDENT_IN_NODE: f64 = 1e-12;
 
 /// Rows that must depend on others for a node to be reduced: those of a contact. Fewer cost more than they save.
 const LEAST_DEPENDENT: usize = 3;
-
-/// Rows of a front from which on its nodes are reduced (48 to 144): elimination of smaller ones costs less than
-/// reduction.
-const LEAST_FRONT: usize = 96;
 
 /// How well dependent rows and columns must be reproduced, relative to the products that they are compared by (no unit,
 /// 1e-12 to 1e-6): the linearised system need not be exact, since each step starts from the true residual.
@@ -76,7 +73,7 @@ impl NodeMatrix {
         let mut expansions: Vec<Option<Expansion>> = vec![None; nodes.len()];
         for (front, later) in order.fronts.iter().zip(&order.later) {
             let rows = front.clone().chain(later.iter().copied()).map(|node| nodes[node].rows.len());
-            if rows.sum::<usize>() >= LEAST_FRONT {
+            if rows.sum::<usize>() >= REDUCED_FRONT {
                 for node in front.clone() {
                     expansions[node] = expansion(matrix, &order.nodes[node], &nodes[node]);
                 }

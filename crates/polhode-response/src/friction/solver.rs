@@ -18,12 +18,10 @@ use crate::law::Law;
 use crate::method_set::MethodSet;
 use crate::report::SolverStatus;
 use crate::settings::FallbackPolicy;
+use crate::solve::way::LEAST_NORM_MOST_ROWS;
 
 /// Share of the diagonal that is added for the first guess (no unit, 0.03 to 0.3).
 const HOLDING_DAMPING: f64 = 0.1;
-
-/// Most rows for Newton's method with steps of least norm, whose factorisation is dense.
-const MOST_DENSE_ROWS: usize = 120;
 
 /// Share of its inverse mass by which a contact yields where the reactions of redundant contacts are chosen (no unit,
 /// 1e-5 to 1e-3): the choice is that of softer contacts to this share, and rounding moves it by the rounding unit over
@@ -150,7 +148,7 @@ impl Solver<'_> {
         if !began_at_zero && self.newton_from(vec![0.0; self.problem.rows()], FrictionMethod::NewtonFromZero) {
             return;
         }
-        if self.problem.rows() <= MOST_DENSE_ROWS
+        if self.problem.rows() <= LEAST_NORM_MOST_ROWS
             && !self.is_accepted()
             && self.newton_from(vec![0.0; self.problem.rows()], FrictionMethod::LeastNormFromZero)
         {
@@ -190,7 +188,7 @@ impl Solver<'_> {
         }
         let mut reactions = start.to_vec();
         self.move_into_cones(&mut reactions);
-        let is_chosen = self.settings.redundancy == Redundancy::LeastNorm && start.len() <= MOST_DENSE_ROWS;
+        let is_chosen = self.settings.redundancy == Redundancy::LeastNorm && start.len() <= LEAST_NORM_MOST_ROWS;
         if is_chosen
             && (self.proximal_newton(&reactions)
                 || self.newton_from(reactions.clone(), FrictionMethod::LeastNormNewton))

@@ -57,7 +57,7 @@ pub(crate) struct TimeStepReport {
     pub(crate) cone_violation: Option<ConeViolation>,
     /// Number of approximations: removals of overlaps that a fallback solved, impact laws that did not finish.
     pub(crate) fallbacks: u64,
-    /// Factorisations in the velocities of bodies (`cone_problem.rs`).
+    /// Factorisations in the velocities of bodies (`polhode_response::solve::step`).
     pub(crate) factorisations: u64,
     /// Whether a law of restitution has raised the energy of an impact.
     pub(crate) raises_energy: bool,

@@ -40,7 +40,7 @@ use crate::tier::core::Core;
 use crate::time_stepping::TimeStepper;
 use polhode_contact::aabb_of;
 use polhode_dynamics::BodyState;
-use polhode_response::{Delassus, ResponseError};
+use polhode_response::ResponseError;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// First time step that is tried, as a fraction of the longest step.
@@ -293,7 +293,7 @@ impl Engine {
         }
         let deepest = overlaps.deepest;
         let before = core.accounts.books.balance(&core.model, &self.motions.states, &instant.bodies);
-        let (of, problem) = ((&instant.bodies[..], &instant.pairs[..]), (&mut core.solver, &mut Delassus::default()));
+        let (of, problem) = ((&instant.bodies[..], &instant.pairs[..]), &mut core.memory);
         overlaps.remove(&core.model, &mut self.motions.states, of, problem).map_err(failed)?;
         let after = core.accounts.books.balance(&core.model, &self.motions.states, &instant.bodies);
         let taken_j = core.accounts.books.projection(before, after, 0.0);

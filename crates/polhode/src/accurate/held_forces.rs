@@ -27,9 +27,9 @@ use crate::rows::friction_blocks::push_contact;
 use crate::rows::rotation_row::RotationRow;
 use crate::scene::FrictionEllipse;
 use crate::solve::cone_violation::{ConeViolation, RubbingForce, largest_violation};
-use crate::solve::jointed::trees_of;
 use polhode_contact::{ContactGeometry, ContactKinematics, TangentialKinematics};
 use polhode_dynamics::BodyState;
+use polhode_response::solve::way;
 use polhode_response::sparse::{BesideForest, HeldForest};
 use polhode_response::{
     Blocks, ContactProblem, Delassus, LeastNormForces, ResponseError, SlidingRow, least_forces_in_cones,
@@ -200,7 +200,7 @@ pub(super) fn solve(
     });
     let sliding: Vec<SlidingRow> = sliding.collect();
     constants.truncate(equations);
-    let trees = if sliding.is_empty() { trees_of(&assembly) } else { None };
+    let trees = if sliding.is_empty() { way::trees(&assembly.problem, assembly.joint_rows()) } else { None };
     let matrix = trees.map_or_else(|| Matrix::All(assembly.problem.delassus()), Matrix::Beside);
     let (LeastNormForces { forces, loads }, violation) =
         with_loads_of_bearings(&mut assembly, constants, (&matrix, &sliding), (contacts.len(), friction))?;

@@ -13,7 +13,7 @@ use crate::rows::assembly::{self, Assembly};
 use crate::solve::accelerations::{Accelerations, ContactTangent, ContactTurn};
 use crate::solve::cone_violation::{ConeViolation, largest_violation};
 use polhode_dynamics::{BodyState, RigidBody};
-use polhode_response::{ComplementaritySolver, ContactSolution, ResponseError, SolverStatus};
+use polhode_response::{ContactSolution, Memory, ResponseError, SolverStatus};
 use polhode_spatial::DVec3;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -97,7 +97,7 @@ impl Forces {
         states: &[BodyState],
         bodies: &[usize],
         contacts: &[Touch],
-        solver: &mut ComplementaritySolver,
+        memory: &mut Memory,
     ) -> Result<Self, ResponseError> {
         let loads = model.loads_on(t, states, bodies);
         let load = bodies.iter().map(|&body| {
@@ -105,7 +105,7 @@ impl Forces {
             mass * model.gravity().length() + loads.of(body).force.length()
         });
         let load = load.fold(0.0, f64::max);
-        let found = Accelerations::solve(model, (t, states), bodies, contacts, &loads, solver)?;
+        let found = Accelerations::solve(model, (t, states), bodies, contacts, &loads, memory)?;
         let opening = OPENING_RELATIVE * found.scale;
         let friction = found.contacts.iter().map(|contact| {
             contact.map(|contact| {

@@ -85,9 +85,9 @@ impl StepSearch<'_> {
     fn overloaded_at(&mut self, t: f64) -> Result<Vec<usize>, SimulationError> {
         self.step.states_at(&self.core.model, t, self.states);
         let touches: Vec<Touch> = held_touches(self.core, self.step, self.states);
-        let mut solver = std::mem::take(&mut self.core.solver);
+        let mut solver = std::mem::take(&mut self.core.memory);
         let forces = Forces::solve(&self.core.model, t, self.states, &self.step.bodies, &touches, &mut solver);
-        self.core.solver = solver;
+        self.core.memory = solver;
         let forces = forces.map_err(|source| SimulationError::of_response(t, source))?;
         Ok(overloaded(&self.core.model, &loads_of(self.core, self.states, (&forces, &touches))))
     }

@@ -21,7 +21,7 @@ use crate::rows::assembly::free_acceleration;
 use crate::solve::joint_loads::joint_view;
 use crate::tier::core::Core;
 use polhode_dynamics::{BodyState, RigidBody};
-use polhode_response::ComplementaritySolver;
+use polhode_response::Memory;
 use polhode_spatial::DVec3;
 use std::collections::BTreeMap;
 
@@ -46,7 +46,7 @@ impl Engine {
             needed.insert(body, newton(body, linear, angular));
         }
         let mut by_rows: Vec<PivotView> = Vec::new();
-        let mut solver = ComplementaritySolver::default();
+        let mut solver = Memory::default();
         for (group, members) in self.present_groups(core, states) {
             let Ok(forces) = Forces::solve(model, t, states, &group, &members, &mut solver) else {
                 let unknown = group.iter().filter(|body| is_turning(body) || model.joints.is_held_by_rows(**body));
@@ -85,7 +85,7 @@ impl Engine {
         if model.joints.list.is_empty() {
             return Vec::new();
         }
-        let mut solver = ComplementaritySolver::default();
+        let mut solver = Memory::default();
         for (group, members) in self.present_groups(core, states) {
             let none = (DVec3::NAN, DVec3::NAN);
             let Ok(forces) = Forces::solve(model, t, states, &group, &members, &mut solver) else {

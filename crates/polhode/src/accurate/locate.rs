@@ -500,7 +500,7 @@ fn forces_of(
     states: &[BodyState],
     contacts: &[Touch],
 ) -> Result<Forces, SimulationError> {
-    let forces = Forces::solve(&core.model, t, states, &step.bodies, contacts, &mut core.solver)
+    let forces = Forces::solve(&core.model, t, states, &step.bodies, contacts, &mut core.memory)
         .map_err(|source| SimulationError::of_response(t, source))?;
     if !forces.jams {
         core.accounts.note_solve(t, &forces.solution.report)?;

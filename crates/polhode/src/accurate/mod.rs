@@ -55,7 +55,7 @@ mod ending_bounces;
 mod ending_slips;
 mod engine;
 mod events;
-mod facts;
+pub(crate) mod facts;
 mod free_stepping;
 mod held_forces;
 mod hold;
@@ -91,4 +91,3 @@ mod track_ends;
 mod turning;
 
 pub(crate) use engine::Engine;
-pub(crate) use facts::FACTS;

@@ -178,7 +178,7 @@ impl Engine {
                 }
             }
             let forces =
-                Forces::solve(&core.model, core.t, &self.motions.states, &group.bodies, &contacts, &mut core.solver)
+                Forces::solve(&core.model, core.t, &self.motions.states, &group.bodies, &contacts, &mut core.memory)
                     .map_err(|source| SimulationError::of_response(core.t, source))?;
             core.accounts.note_solve(core.t, &forces.solution.report)?;
         }

@@ -45,7 +45,7 @@ impl Motions {
         before: Balance,
     ) -> Result<(), SimulationError> {
         let start: Vec<Pose> = bodies.iter().map(|&body| self.states[body].pose).collect();
-        let how = (core.settings.step_error(), &mut core.solver);
+        let how = (core.settings.step_error(), &mut core.memory);
         let mut done = projection::project(&core.model, &mut self.states, bodies, projected, how)
             .map_err(|source| SimulationError::of_response(t, source))?;
         let pushes = |body: &usize| done.moved_m > PUSH_RELATIVE * core.model.bodies[*body].size;

@@ -181,7 +181,7 @@ impl Resolution<'_> {
             &self.instant.touches,
             law,
             &settings,
-            &mut self.core.solver,
+            &mut self.core.memory,
         )
         .map_err(|source| SimulationError::of_response(self.instant.t, source))?;
         let outcome = &struck.outcome;
@@ -324,7 +324,7 @@ impl Resolution<'_> {
             &self.motions.states,
             &group.bodies,
             &members,
-            &mut self.core.solver,
+            &mut self.core.memory,
         )
         .map_err(|source| SimulationError::of_response(self.instant.t, source))?;
         if forces.jams {
@@ -467,7 +467,7 @@ impl Resolution<'_> {
             let mut pairs: Vec<_> = touches.iter().map(|touch| (touch.id.a, touch.id.b)).collect();
             pairs.dedup();
             let before = self.core.accounts.books.balance(&self.core.model, &self.motions.states, &group.bodies);
-            let (bodies, solver) = (&group.bodies, &mut self.core.solver);
+            let (bodies, solver) = (&group.bodies, &mut self.core.memory);
             let done = projection::remove_overlap(&self.core.model, &mut self.motions.states, bodies, &pairs, solver)
                 .map_err(|source| SimulationError::of_response(self.instant.t, source))?;
             let after = self.core.accounts.books.balance(&self.core.model, &self.motions.states, &group.bodies);

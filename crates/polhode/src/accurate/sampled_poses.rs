@@ -11,7 +11,6 @@ use crate::error::SimulationError;
 use crate::solve::overlap::Overlaps;
 use crate::tier::core::Core;
 use polhode_dynamics::BodyState;
-use polhode_response::Delassus;
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
@@ -51,7 +50,7 @@ impl Motions {
                 .into_iter()
                 .collect();
             let found = Overlaps::find(&core.model, &apart, &pairs);
-            let problem = (&mut core.solver, &mut Delassus::default());
+            let problem = &mut core.memory;
             found
                 .remove(&core.model, &mut apart, (&island.bodies, &pairs), problem)
                 .map_err(|source| SimulationError::of_response(t, source))?;

@@ -21,7 +21,7 @@ use crate::snapshot::content;
 use crate::tier::core::Core;
 use crate::tier::{Reached, Tier};
 use polhode_dynamics::BodyState;
-use polhode_response::ComplementaritySolver;
+use polhode_response::Memory;
 use polhode_spatial::DVec3;
 use std::collections::BTreeMap;
 
@@ -188,7 +188,7 @@ impl Tier for Engine {
             })
             .collect();
         for (group, members) in self.present_groups(core, &states) {
-            let forces = Forces::solve(&core.model, core.t, &states, &group, &members, &mut core.solver)
+            let forces = Forces::solve(&core.model, core.t, &states, &group, &members, &mut core.memory)
                 .map_err(|source| SimulationError::of_response(core.t, source))?;
             core.accounts.note_solve(core.t, &forces.solution.report)?;
             for (body, linear, angular) in forces.accelerations() {
@@ -199,7 +199,7 @@ impl Tier for Engine {
     }
 
     fn contacts(&self, core: &Core, t: f64, states: &[BodyState]) -> Vec<ContactView> {
-        let mut solver = ComplementaritySolver::default();
+        let mut solver = Memory::default();
         let mut forces_by_id = BTreeMap::new();
         for (group, members) in self.present_groups(core, states) {
             let solved = Forces::solve(&core.model, t, states, &group, &members, &mut solver);

@@ -31,7 +31,7 @@
 
 mod course;
 mod engine;
-mod facts;
+pub(crate) mod facts;
 mod group;
 mod held;
 mod impacts;
@@ -42,4 +42,3 @@ mod step;
 mod turning;
 
 pub(crate) use engine::FastEngine;
-pub(crate) use facts::FACTS;

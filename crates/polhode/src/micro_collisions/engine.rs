@@ -137,7 +137,7 @@ impl MicroCollisionEngine {
     fn strike_group(&mut self, core: &mut Core, group: &Group, touches: &[Touch]) -> Result<(), SimulationError> {
         let settings = ImpactSettings { threshold: THRESHOLD, limit: MOST_COLLISIONS, ..ImpactSettings::default() };
         let law = core.settings.impact;
-        let struck = strike(&core.model, &mut self.bodies.states, group, touches, law, &settings, &mut core.solver);
+        let struck = strike(&core.model, &mut self.bodies.states, group, touches, law, &settings, &mut core.memory);
         let struck = struck.map_err(|source| SimulationError::of_response(core.t, source))?;
         // Sequences without end are what supports a body on several corners: their end at the threshold is no news.
         let mut outcome = struck.outcome.clone();

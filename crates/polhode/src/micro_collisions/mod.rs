@@ -24,7 +24,6 @@
 //! | `engine` | a run, one step of it, and queries at the present |
 
 mod engine;
-mod facts;
+pub(crate) mod facts;
 
 pub(crate) use engine::MicroCollisionEngine;
-pub(crate) use facts::FACTS;

@@ -212,7 +212,7 @@ mod tests {
     use crate::solve::impact::strike;
     use polhode_contact::Shape;
     use polhode_dynamics::Flight;
-    use polhode_response::ComplementaritySolver;
+    use polhode_response::Memory;
     use polhode_response::impact::ImpactSettings;
     use polhode_spatial::Velocity;
     use polhode_spatial::{Inertia, Mass, MassProperties, Pose, Rotation, UnitVector};
@@ -338,7 +338,7 @@ mod tests {
             let term = prescribed_rate_of(&model, &states, touches[0].id, &touches[0].kinematics.geometry);
             let before = model.energies(BODY, &states[BODY]).0;
             let law = ImpactLaw::Simultaneous;
-            let solver = &mut ComplementaritySolver::default();
+            let solver = &mut Memory::default();
             let outcome = strike(&model, &mut states, &group, &touches, law, &settings, solver)?.outcome;
             let gained = model.energies(BODY, &states[BODY]).0 - before;
             let work = -outcome.impulses[0] * term;

@@ -34,7 +34,7 @@ mod contact;
 mod engine;
 mod events;
 mod expected;
-mod facts;
+pub(crate) mod facts;
 mod fixed;
 mod groups;
 mod implicit;
@@ -46,4 +46,3 @@ mod stepping;
 mod system;
 
 pub(crate) use engine::PenaltyEngine;
-pub(crate) use facts::FACTS;

@@ -11,9 +11,6 @@ use polhode_response::friction::ContactStatus;
 use polhode_response::{Blocks, BlocksSolution, Law, Resistance, ResistedPart};
 use std::ops::Range;
 
-/// Most rows of one block that is held.
-const MOST_ROWS: usize = 3;
-
 /// Adds the block of a contact with its normal row and its tangents, friction along which lies in this ellipse.
 pub(crate) fn push_contact(blocks: &mut Blocks, ellipse: FrictionEllipse, normal: usize, tangents: Range<usize>) {
     let law = Law::Cone { rows: 1 + tangents.len(), friction: ellipse.largest() };
@@ -23,14 +20,6 @@ pub(crate) fn push_contact(blocks: &mut Blocks, ellipse: FrictionEllipse, normal
     }
     let scales = ellipse.scales();
     blocks.push_scaled(law, rows, std::iter::once(1.0).chain(scales.into_iter().take(tangents.len())));
-}
-
-/// Adds rows that are held, whatever the sign of their reactions.
-pub(crate) fn push_held(blocks: &mut Blocks, rows: Range<usize>) {
-    for start in rows.clone().step_by(MOST_ROWS) {
-        let end = (start + MOST_ROWS).min(rows.end);
-        blocks.push(Law::Hold { rows: end - start }, start..end);
-    }
 }
 
 /// The same blocks with rotations that contacts resist, each in the block of its contact.

@@ -13,10 +13,6 @@
 
 use polhode_spatial::DVec3;
 
-/// A pair with more contacts than this has many (no unit, 26 to 64): more than the directions below, and than any two
-/// of the basic shapes have.
-pub(crate) const MANY_CONTACTS: usize = 32;
-
 /// Of some contact points (m) those furthest out in the directions from the middle of a cube to its faces, edges and
 /// corners.
 pub(crate) fn furthest_out(points: &[(usize, DVec3)]) -> Vec<usize> {

@@ -34,7 +34,7 @@ use crate::tier::joint_samples::joint_samples;
 use crate::tier::sampling::{emit_sample, frame};
 use crate::tier::{Reached, Tier};
 use polhode_contact::QueryError;
-use polhode_response::ComplementaritySolver;
+use polhode_response::Memory;
 use std::sync::Arc;
 
 /// A step is extended to the end of the run when less than this fraction of a step would remain: the rounding of a sum
@@ -162,11 +162,11 @@ impl Simulation {
         };
         model.confine_to_plane(planar.plane, &mut states);
         let accounts = Accounts::open(&model, &states, settings.promise);
-        let (solver, last_sample) = (ComplementaritySolver::default(), LastSample::default());
+        let (memory, last_sample) = (Memory::default(), LastSample::default());
         let executor = Arc::new(OneThread);
         let stated_depth_m = f64::INFINITY;
         let mut core =
-            Core { model, settings, effects, t: 0.0, accounts, solver, executor, stated_depth_m, last_sample };
+            Core { model, settings, effects, t: 0.0, accounts, memory, executor, stated_depth_m, last_sample };
         for what in separated.into_iter().chain(scene.warnings()) {
             core.accounts.warn(0.0, what);
         }
@@ -541,10 +541,10 @@ impl Simulation {
             .map_err(|_| SnapshotError::Invalid("it names an integrator that does not exist"))?;
         let plan = self.plan_at_start.restored(content.plan.as_ref(), settings.integrator)?;
         let accounts = Accounts::restored(&content.accounts, model.bodies.len(), settings.promise)?;
-        let solver = ComplementaritySolver::default();
+        let memory = Memory::default();
         let (executor, last_sample) = (self.core.executor.clone(), LastSample::default());
         let (effects, t, stated_depth_m) = (self.core.effects, content.t, f64::INFINITY);
-        let mut core = Core { model, settings, effects, t, accounts, solver, executor, stated_depth_m, last_sample };
+        let mut core = Core { model, settings, effects, t, accounts, memory, executor, stated_depth_m, last_sample };
         let tier = engines::restored(&mut core, &content.tier)?;
         // A scene with a longer duration goes on.
         let ended = content.ended && core.t >= self.scene.duration_s();

@@ -15,7 +15,7 @@ use crate::scene::settings::Settings;
 use crate::scene::{OverlapAtStart, SceneError};
 use crate::solve::overlap::Overlaps;
 use polhode_dynamics::BodyState;
-use polhode_response::{ComplementaritySolver, Delassus};
+use polhode_response::Memory;
 use polhode_spatial::Still;
 
 /// Refuses a start at which bodies overlap by more than counts as touch. Those that overlap by at most the scene's
@@ -37,7 +37,7 @@ pub(crate) fn judge(
     let (count, depth_m) = (found.len(), deepest.depth_m);
     let movable: Vec<usize> = (0..states.len()).filter(|&body| model.bodies[body].moves()).collect();
     let pairs = near_pairs(model, settings, states)?;
-    let solvers = (&mut ComplementaritySolver::default(), &mut Delassus::default());
+    let solvers = &mut Memory::default();
     let removed = Overlaps::find(model, states, &pairs).remove(model, states, (&movable, &pairs), solvers);
     let moved_m = removed.map_err(|source| SimulationError::of_response(0.0, source))?.moved_m;
     let left = overlaps(model, settings, states)?;

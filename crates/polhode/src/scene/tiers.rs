@@ -1,10 +1,15 @@
 //! The list of the tiers.
 //!
-//! What a tier is stands in its own folder ([`TierFacts`]); the list of engines is in `engines.rs` beside this file.
+//! What a tier is stands in its own folder ([`TierFacts`]); the list of their engines is in `run/engines.rs`.
 
+use crate::accurate::facts::FACTS as ACCURATE;
+use crate::fast::facts::FACTS as FAST;
+use crate::micro_collisions::facts::FACTS as MICRO_COLLISIONS;
+use crate::penalty::facts::FACTS as PENALTY;
 use crate::scene::Response;
 use crate::scene::tier_facts::{TierFacts, TierFeature};
-use crate::{accurate, fast, micro_collisions, penalty, stepped, thesis};
+use crate::stepped::facts::FACTS as STEPPED;
+use crate::thesis::facts::FACTS as THESIS;
 
 /// A set of methods with one promise.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -36,12 +41,12 @@ impl Tier {
     /// What the tier is.
     pub const fn facts(self) -> &'static TierFacts {
         match self {
-            Self::Thesis => &thesis::FACTS,
-            Self::MicroCollisions => &micro_collisions::FACTS,
-            Self::Penalty => &penalty::FACTS,
-            Self::Stepped => &stepped::FACTS,
-            Self::Fast => &fast::FACTS,
-            Self::Accurate => &accurate::FACTS,
+            Self::Thesis => &THESIS,
+            Self::MicroCollisions => &MICRO_COLLISIONS,
+            Self::Penalty => &PENALTY,
+            Self::Stepped => &STEPPED,
+            Self::Fast => &FAST,
+            Self::Accurate => &ACCURATE,
         }
     }
 

@@ -16,20 +16,19 @@ use crate::identity::contact_id::ContactId;
 use crate::joints::joint_friction::MOST_ROUNDS_OF_BEARINGS;
 use crate::model::{Loads, Model, tolerances};
 use crate::rows::assembly::{self, Assembly, TangentRow};
-use crate::rows::friction_blocks::{direction_of, push_held, with_rotations};
+use crate::rows::friction_blocks::{direction_of, with_rotations};
 use crate::rows::frictional_contact::{Frictional, Sliding};
 use crate::rows::resisted_rotation::ResistedRotation;
 use crate::rows::rotation_row::RotationRow;
 use crate::solve::cone_violation::RubbingForce;
-use crate::solve::jointed::trees_of;
 use crate::solve::least_sliding_forces::{RowFriction, least_sliding_forces};
 use crate::solve::standing::{is_for_many, standing};
 use crate::solve::sticking_forces::{SLIDING_ROUNDING, STICKING_ACCELERATION, of_no_slip, rounding_of};
 use polhode_dynamics::BodyState;
 use polhode_response::friction::{ContactStatus, FrictionSettings};
 use polhode_response::{
-    Blocks, BlocksSolution, ComplementaritySolver, ContactSolution, Delassus, Method, ResponseError, SolverReport,
-    SolverSettings, WarmStart,
+    Ask, Blocks, BlocksSolution, ContactSolution, Delassus, Memory, Method, ResponseError, RowProblem, SolverReport,
+    WarmStart, solve,
 };
 use polhode_spatial::DVec3;
 use std::collections::BTreeMap;
@@ -127,11 +126,11 @@ impl Accelerations {
         bodies: &[usize],
         contacts: &[Touch],
         loads: &Loads,
-        solver: &mut ComplementaritySolver,
+        memory: &mut Memory,
     ) -> Result<Self, ResponseError> {
         let mut frictional: Vec<_> = contacts.iter().map(|touch| Frictional::of(model, states, touch)).collect();
         if frictional.iter().all(Option::is_none) {
-            return Self::without_friction(model, (t, states), bodies, contacts, loads, solver);
+            return Self::without_friction(model, (t, states), bodies, contacts, loads, memory);
         }
         loop {
             let found = Self::of_laws(model, (t, states), bodies, (contacts, &frictional), loads)?;
@@ -153,26 +152,19 @@ impl Accelerations {
         bodies: &[usize],
         contacts: &[Touch],
         loads: &Loads,
-        solver: &mut ComplementaritySolver,
+        memory: &mut Memory,
     ) -> Result<Self, ResponseError> {
         let rows = contacts.iter().map(|touch| (touch.id, touch.kinematics.geometry));
         let assembly = Assembly::new(model, states, bodies, rows)?;
         let FreeMotion { free, constants } = FreeMotion::of(&assembly, model, (t, states), contacts, loads)?;
         let held = (0..contacts.len()).filter(|&place| contacts[place].hold == Hold::Held).collect();
-        let (problem, start) = (&assembly.problem, WarmStart::new(held));
-        let usual = *solver.settings();
-        if !assembly.bilaterals().is_empty() {
-            // Accelerations of joints are differences of centripetal terms, whatever the forces are that follow from
-            // them.
-            let noise_floor = usual.noise_floor.max(tolerances::acceleration_rounding(model, states, bodies));
-            solver.set_settings(SolverSettings { noise_floor, ..usual });
-        }
-        let solution = match trees_of(&assembly) {
-            Some(forest) => solver.solve_with_forest(problem, &forest, &constants, Some(&start)),
-            None => solver.solve(problem, &problem.delassus(), &constants, Some(&start)).cloned(),
-        };
-        solver.set_settings(usual);
-        let solution = solution?;
+        // Accelerations of joints are differences of centripetal terms, whatever the forces are that follow from them.
+        let has_joints = !assembly.bilaterals().is_empty();
+        let noise_floor = if has_joints { tolerances::acceleration_rounding(model, states, bodies) } else { 0.0 };
+        let (joints, start) = (assembly.joint_rows(), WarmStart::new(held));
+        let problem =
+            RowProblem { joints, start: Some(&start), noise_floor, ..RowProblem::new(&assembly.problem, &constants) };
+        let solution = solve(&problem, Ask::Instant, memory)?;
         let of_bodies = with_free(assembly.problem.response(&solution.forces)?, &free);
         Ok(Self {
             scale: largest(&constants),
@@ -344,7 +336,7 @@ pub(crate) fn blocks_of(
         assembly.push_tangents(states, tangents)?;
         Frictional::push_block(friction.as_ref(), &mut blocks, normal, first..assembly.problem.len());
     }
-    push_held(&mut blocks, contacts.len()..assembly.first_tangent());
+    blocks.hold(contacts.len()..assembly.first_tangent());
     Ok(blocks)
 }
 

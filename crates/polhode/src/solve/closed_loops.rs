@@ -25,7 +25,8 @@ use crate::report::momentum_ledger::{Momentum, MomentumSum};
 use crate::rows::assembly::Assembly;
 use crate::rows::groups::coupled_groups;
 use polhode_dynamics::BodyState;
-use polhode_response::{LeastNormHold, ResponseError};
+use polhode_response::ResponseError;
+use polhode_response::solve::held::hold_all;
 use polhode_spatial::{DVec3, Pose};
 use std::collections::BTreeMap;
 
@@ -93,8 +94,8 @@ impl ClosedLoops {
         let Assembly { problem, .. } =
             &Assembly::with_bilaterals(model, (states, bodies), std::iter::empty(), bilaterals)?;
         let given = problem.row_velocities(&problem.response(&multipliers)?)?;
-        let (delassus, undone) = (problem.delassus(), given.iter().map(|rate| -rate).collect::<Vec<_>>());
-        let least = LeastNormHold::factor(&delassus)?.solve(&delassus, &undone)?;
+        let undone: Vec<f64> = given.iter().map(|rate| -rate).collect();
+        let least = hold_all(problem, &undone)?.reactions;
         let mut left = &least[..];
         for (of, reaction) in reactions.iter_mut().filter(|(of, _)| of.softness.is_none()) {
             let (own, others) = left.split_at_checked(of.rows.len()).unwrap_or_default();

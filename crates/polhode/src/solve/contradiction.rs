@@ -13,7 +13,8 @@ use crate::error::SimulationError;
 use crate::model::{Model, prescribed};
 use crate::rows::assembly::Assembly;
 use polhode_dynamics::BodyState;
-use polhode_response::{LeastNormHold, ResponseError};
+use polhode_response::ResponseError;
+use polhode_response::solve::held::hold_all;
 
 /// A residual of accelerations beyond this fraction of the largest term is a contradiction (no unit, 1e-9 to 1e-4): far
 /// above rounding, and far below what two different motions ask for.
@@ -54,11 +55,8 @@ fn contradicted(model: &Model, t: f64, states: &[BodyState], bodies: &[usize]) -
     if largest == 0.0 {
         return Ok(None);
     }
-    let delassus = assembly.problem.delassus();
-    let forces = LeastNormHold::factor(&delassus)?.solve(&delassus, &constants)?;
-    let given = delassus.times(&forces)?;
-    let left = given.iter().zip(&constants).map(|(given, constant)| (given + constant).abs());
-    let worst = left.fold(0.0_f64, f64::max);
+    let left = hold_all(&assembly.problem, &constants)?.left;
+    let worst = left.iter().fold(0.0_f64, |most, left| most.max(left.abs()));
     if worst <= CONTRADICTION * largest {
         return Ok(None);
     }

@@ -18,7 +18,7 @@ use crate::identity::contact_id::ContactId;
 use crate::joints::joint_contacts;
 use crate::model::{Loads, Model, tolerances};
 use crate::rows::assembly::{Assembly, TangentRow};
-use crate::rows::friction_blocks::{push_contact, push_held, with_rotations};
+use crate::rows::friction_blocks::{push_contact, with_rotations};
 use crate::rows::resisted_rotation::ResistedRotation;
 use crate::rows::rotation_row::RotationRow;
 use crate::scene::{FrictionEllipse, ImpactLaw};
@@ -290,7 +290,7 @@ fn blocks_of(
         }
         push_contact(&mut blocks, ellipse, normal, first..assembly.problem.len());
     }
-    push_held(&mut blocks, contacts.len()..assembly.first_tangent());
+    blocks.hold(contacts.len()..assembly.first_tangent());
     Ok((blocks, before))
 }
 

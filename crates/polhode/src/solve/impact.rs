@@ -13,7 +13,7 @@ use crate::report::event::{Event, EventKind};
 use crate::report::momentum_ledger::{Momentum, MomentumSum};
 use crate::rows::assembly::{Assembly, apply_impulses};
 use crate::rows::groups::Group;
-use crate::rows::many_contacts::{MANY_CONTACTS, furthest_out};
+use crate::rows::many_contacts::furthest_out;
 use crate::scene::{ImpactLaw, PropagationOrder};
 use crate::solve::cone_violation::{ConeViolation, RubbingForce, largest_violation};
 use crate::solve::frictional_impact::{self, Cause, FrictionalImpact, Restitution, rate_of_separation};
@@ -21,7 +21,8 @@ use crate::solve::rotational_friction::{apply_moments, moment_support, moment_wo
 use polhode_contact::ContactGeometry;
 use polhode_dynamics::BodyState;
 use polhode_response::impact::{self, Application, ImpactOutcome, ImpactProblem, ImpactSettings, ImpactStatus};
-use polhode_response::{ComplementaritySolver, ResponseError, SolverSettings};
+use polhode_response::solve::way;
+use polhode_response::{Memory, ResponseError, SolverSettings};
 use polhode_spatial::{DVec3, SplitMix64};
 use std::ops::Range;
 
@@ -217,7 +218,7 @@ pub(crate) fn strike(
     touches: &[Touch],
     law: ImpactLaw,
     settings: &ImpactSettings,
-    solver: &mut ComplementaritySolver,
+    memory: &mut Memory,
 ) -> Result<Struck, ResponseError> {
     let members: Vec<Touch> = group.contacts.iter().map(|&i| touches[i]).collect();
     if frictional_impact::have_friction(model, &members) {
@@ -248,8 +249,8 @@ pub(crate) fn strike(
             settings,
         };
         outcome = match &order {
-            Some(order) => impact::propagation_in_order(&problem, solver, order)?,
-            None => row_law.resolve(&problem, solver)?,
+            Some(order) => impact::propagation_in_order(&problem, memory.active_set(), order)?,
+            None => row_law.resolve(&problem, memory.active_set())?,
         };
         if outcome.status != ImpactStatus::NotSolved {
             let impulses = contacts.iter().zip(&outcome.impulses).map(|((id, geometry), &p)| (*id, geometry, p));
@@ -368,7 +369,7 @@ fn among(outcome: &mut ImpactOutcome, places: &[usize], rates: &[f64]) {
 /// Which contacts an impact begins with.
 fn outer_of_many(members: &[Touch]) -> Vec<bool> {
     let mut taken = vec![true; members.len()];
-    for of_pair in pairs(members).filter(|of_pair| of_pair.len() > MANY_CONTACTS) {
+    for of_pair in pairs(members).filter(|of_pair| way::are_many_of_a_pair(of_pair.len())) {
         let points: Vec<_> = of_pair.clone().map(|place| (place, members[place].kinematics.geometry.point)).collect();
         let outer = furthest_out(&points);
         taken[of_pair].fill(false);

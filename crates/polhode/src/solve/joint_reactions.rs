@@ -7,9 +7,9 @@
 use crate::joints::bilateral::{Bilateral, Reaction};
 use crate::model::{Loads, Model};
 use crate::rows::assembly::Assembly;
-use crate::solve::jointed::trees_of;
 use polhode_dynamics::BodyState;
-use polhode_response::{LeastNormHold, ResponseError};
+use polhode_response::ResponseError;
+use polhode_response::solve::held::hold;
 
 /// The reactions of a group of bodies.
 #[derive(Debug)]
@@ -33,20 +33,7 @@ impl JointReactions {
         let assembly = Assembly::new(model, states, bodies, std::iter::empty())?;
         let free = assembly.free_accelerations(model, states, loads);
         let constants = assembly.acceleration_constants(model, t, states, &free, std::iter::empty())?;
-        let problem = &assembly.problem;
-        let forces = if let Some(forest) = trees_of(&assembly) {
-            let of_others = if forest.others().is_empty() {
-                Vec::new()
-            } else {
-                let beside = forest.beside(problem);
-                let constants = forest.constants_beside(problem, &constants)?;
-                LeastNormHold::factor_beside(&beside, 0.0)?.solve(&beside.delassus, &constants)?
-            };
-            forest.with_others(problem, &constants, &of_others)?.forces
-        } else {
-            let delassus = problem.delassus();
-            LeastNormHold::factor(&delassus)?.solve(&delassus, &constants)?
-        };
+        let forces = hold(&assembly.problem, assembly.joint_rows(), &constants)?;
         Ok(Self { assembly, forces })
     }
 

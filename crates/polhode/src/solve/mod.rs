@@ -8,7 +8,6 @@
 //! | `standing`, `held_at_rest` | those of many contacts of bodies at rest |
 //! | `impact`, `frictional_impact` | impulses of an impact, and of one with friction |
 //! | `bounce_friction` | what ending bounces takes, with the friction that belongs to it |
-//! | `jointed` | whether trees of joints are eliminated before all else |
 //! | `rotational_friction` | moments of rolling and spinning: their work and their support |
 //! | `projection`, `overlap` | projection of held contacts and joints; removal of penetration |
 //! | `closed_loops` | poses at which closed loops of joints are closed, and their rows there |
@@ -29,7 +28,6 @@ pub(crate) mod held_at_rest;
 pub(crate) mod impact;
 pub(crate) mod joint_loads;
 pub(crate) mod joint_reactions;
-pub(crate) mod jointed;
 mod least_sliding_forces;
 pub(crate) mod open_loads;
 pub(crate) mod overlap;

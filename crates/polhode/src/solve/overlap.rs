@@ -18,13 +18,10 @@ use crate::joints::held;
 use crate::model::states_of::states_of;
 use crate::model::{Model, tolerances};
 use crate::rows::assembly::{Assembly, largest_change};
-use crate::rows::friction_blocks::push_held;
 use crate::rows::groups::groups;
-use crate::solve::jointed::trees_of;
 use polhode_contact::ContactGeometry;
 use polhode_dynamics::BodyState;
-use polhode_response::sparse::{BodySettings, BodySolver};
-use polhode_response::{Blocks, ComplementaritySolver, Delassus, Law, ResponseError, SolverSettings, SolverStatus};
+use polhode_response::{Ask, Memory, ResponseError, RowProblem, SolverStatus, solve};
 use polhode_spatial::{DVec3, Pose, Rotation};
 
 /// Most rounds. Each squares the remaining penetration relative to the size, so that the third reaches rounding even
@@ -41,9 +38,6 @@ const LEFT_ROUNDING: f64 = 0.25;
 /// What the solver may leave of what a round leaves anyway, in units of the largest displacement (no unit, 1e-4 to
 /// 1e-2): it is many times the overlap where layers push each other.
 const SHARE_OF_ROUND: f64 = 1e-2;
-
-/// From so many contacts in a group on their overlaps are removed in the displacements of bodies (48 to 200).
-const MANY_OVERLAPS: usize = 64;
 
 /// A contact point has jumped if it is farther away than this fraction of the size of the smaller body.
 const MOVED_AWAY_RELATIVE: f64 = 1e-3;
@@ -149,7 +143,7 @@ impl Overlaps {
         model: &Model,
         states: &mut [BodyState],
         (bodies, pairs): (&[usize], &[(usize, usize)]),
-        (solver, delassus): (&mut ComplementaritySolver, &mut Delassus),
+        memory: &mut Memory,
     ) -> Result<Removed, ResponseError> {
         let start = states_of(states, bodies);
         let mut earlier: Vec<Earlier> = Vec::new();
@@ -163,7 +157,7 @@ impl Overlaps {
             earlier.extend(self.contacts.iter().map(|&overlap| Earlier::new(overlap, states)));
             let mut rows = std::mem::take(&mut self.contacts);
             rows.extend(carried);
-            fallbacks += move_out(model, states, &rows, (&mut *solver, &mut *delassus))?;
+            fallbacks += move_out(model, states, &rows, memory)?;
             self = Self::within(model, states, pairs, self.deepest_m);
         }
         let moved = bodies.iter().zip(&start).map(|(&body, start)| displacement(model, body, start, &states[body]));
@@ -186,7 +180,7 @@ fn move_out(
     model: &Model,
     states: &mut [BodyState],
     rows: &[Overlap],
-    (solver, delassus): (&mut ComplementaritySolver, &mut Delassus),
+    memory: &mut Memory,
 ) -> Result<u64, ResponseError> {
     let mut fallbacks = 0;
     for group in groups(model, rows.iter().enumerate().map(|(index, row)| (index, row.id.a, row.id.b))) {
@@ -198,22 +192,14 @@ fn move_out(
         let geometries = members.iter().map(|row| (row.id, row.geometry));
         let assembly = Assembly::new(model, states, &group.bodies, geometries)?;
         let separations = assembly.gaps(members.iter().map(|row| row.geometry.separation));
-        let forces = if let Some(found) = forces_of_many(&assembly, &separations, accuracy(model, &members))? {
-            found
-        } else {
-            let roundings = members.iter().map(|row| tolerances::rounding(model, states, row.id.a, row.id.b));
-            let noise_floor = LEFT_ROUNDING * roundings.fold(f64::INFINITY, f64::min);
-            solver.set_settings(SolverSettings { noise_floor, ..SolverSettings::default() });
-            let solution = if let Some(forest) = trees_of(&assembly) {
-                solver.solve_with_forest(&assembly.problem, &forest, &separations, None)?
-            } else {
-                assembly.problem.delassus_into(delassus);
-                solver.solve(&assembly.problem, delassus, &separations, None)?.clone()
-            };
-            fallbacks += u64::from(solution.report.status != SolverStatus::Solved);
-            solution.forces
-        };
-        let response = assembly.problem.response(&forces)?;
+        let roundings = members.iter().map(|row| tolerances::rounding(model, states, row.id.a, row.id.b));
+        let noise_floor = LEFT_ROUNDING * roundings.fold(f64::INFINITY, f64::min);
+        let (joints, constants) = (assembly.joint_rows(), &separations);
+        let problem = RowProblem { joints, noise_floor, ..RowProblem::new(&assembly.problem, constants) };
+        let asked = Ask::Displacement { accuracy: accuracy(model, &members) };
+        let found = solve(&problem, asked, memory)?;
+        fallbacks += u64::from(found.report.status != SolverStatus::Solved);
+        let response = assembly.problem.response(&found.forces)?;
         let share = share_of_move(model, (&members, open_joint), assembly.split(&response));
         for (body, linear, angular) in assembly.split(&response) {
             let pose = &mut states[body].pose;
@@ -232,25 +218,6 @@ fn accuracy(model: &Model, rows: &[Overlap]) -> f64 {
     let part = |row: &Overlap| -row.geometry.separation / tolerances::pair_size(model, row.id.a, row.id.b);
     let deepest = rows.iter().map(part).fold(LEFT_OVERLAP_RELATIVE, f64::max);
     SHARE_OF_ROUND * deepest.max(LEFT_OVERLAP_RELATIVE / deepest).min(1.0)
-}
-
-/// The forces that remove many overlaps, found in the displacements of bodies: without a matrix of their rows, which
-/// grows with the square of their number. None for few, or where they are not found.
-fn forces_of_many(assembly: &Assembly, separations: &[f64], accuracy: f64) -> Result<Option<Vec<f64>>, ResponseError> {
-    let contacts = assembly.problem.len() - assembly.bilaterals().iter().map(|own| own.rows.len()).sum::<usize>();
-    if contacts < MANY_OVERLAPS || !assembly.problem.is_of_pairs() {
-        return Ok(None);
-    }
-    let mut blocks = Blocks::default();
-    for row in 0..contacts {
-        blocks.push(Law::Push, [row]);
-    }
-    push_held(&mut blocks, contacts..assembly.problem.len());
-    let settings =
-        BodySettings { tolerance: accuracy, acceptance: accuracy, rounds_of_sweeps: 1, ..BodySettings::default() };
-    let system = (&mut BodySolver::default(), &settings);
-    let (solved, _) = blocks.solve_in_bodies(&assembly.problem, separations, None, system)?;
-    Ok((solved.report.status == SolverStatus::Solved).then_some(solved.reactions))
 }
 
 /// The fraction of a displacement within which its linearised contacts are valid. Bodies in a straight row between

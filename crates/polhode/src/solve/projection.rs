@@ -15,13 +15,13 @@ use crate::model::states_of::{set_states, states_of};
 use crate::model::{Model, prescribed, tolerances};
 use crate::rows::assembly::{Assembly, TangentRow, apply_impulses, largest_change};
 use crate::rows::rotation_row::RotationRow;
-use crate::solve::jointed::trees_of;
 use crate::solve::overlap::Overlaps;
 use crate::solve::rotational_friction::{apply_moments, moment_work};
 use polhode_contact::{ContactGeometry, ContactKinematics};
 use polhode_dynamics::BodyState;
+use polhode_response::solve::way;
 use polhode_response::sparse::HeldForest;
-use polhode_response::{ComplementaritySolver, Delassus, LeastNormHold, ResponseError};
+use polhode_response::{LeastNormHold, Memory, ResponseError};
 use polhode_spatial::{DVec3, Rotation};
 use std::collections::BTreeMap;
 
@@ -123,7 +123,7 @@ pub(crate) fn project(
     states: &mut [BodyState],
     bodies: &[usize],
     Projected { touching, held, sticking, turns }: Projected<'_>,
-    (tolerance, solver): (f64, &mut ComplementaritySolver),
+    (tolerance, memory): (f64, &mut Memory),
 ) -> Result<Projection, ResponseError> {
     let start = states_of(states, bodies);
     let mut done = project_positions(model, states, bodies, touching)?;
@@ -139,7 +139,7 @@ pub(crate) fn project(
         let mut pairs: Vec<_> = touching.iter().map(|id| (id.a, id.b)).collect();
         pairs.sort_unstable();
         pairs.dedup();
-        done.moved_m += remove_overlap(model, states, bodies, &pairs, solver)?.moved_m;
+        done.moved_m += remove_overlap(model, states, bodies, &pairs, memory)?.moved_m;
         if contradict {
             // A gap may remain then, a penetration may not.
             done.unconverged.retain(|constraint| constraint.contact().is_none_or(|id| penetrates(model, states, id)));
@@ -186,11 +186,11 @@ pub(crate) fn remove_overlap(
     states: &mut [BodyState],
     bodies: &[usize],
     pairs: &[(usize, usize)],
-    solver: &mut ComplementaritySolver,
+    memory: &mut Memory,
 ) -> Result<Projection, ResponseError> {
     let overlaps = Overlaps::find(model, states, pairs);
     let farthest = overlaps.deepest.map(ConstraintId::Contact);
-    let removed = overlaps.remove(model, states, (bodies, pairs), (solver, &mut Delassus::default()))?;
+    let removed = overlaps.remove(model, states, (bodies, pairs), memory)?;
     Ok(Projection { moved_m: removed.moved_m, farthest, ..Projection::default() })
 }
 
@@ -455,7 +455,7 @@ fn cancel(
     values: &[f64],
     limits: Limits,
 ) -> Result<(Vec<f64>, bool), ResponseError> {
-    if let Some(forest) = trees_of(assembly)
+    if let Some(forest) = way::trees(&assembly.problem, assembly.joint_rows())
         && let Some(multipliers) = cancel_by_trees(model, assembly, (&forest, values), limits)?
     {
         return Ok((multipliers, false));

@@ -16,13 +16,10 @@ use crate::rows::assembly::Assembly;
 use crate::rows::frictional_contact::Frictional;
 use polhode_dynamics::BodyState;
 use polhode_response::friction::{ContactStatus, Structure};
+use polhode_response::solve::way;
 use polhode_response::sparse::{BodySettings, BodySolver};
 use polhode_response::{Blocks, BlocksSolution, Method, ResponseError, SolverStatus};
 use polhode_spatial::DVec3;
-
-/// From so many contacts on bodies at rest are held by the forces found here (50 to 300): of fewer the matrix of all
-/// rows is small, and its forces are the least ones.
-const LEAST_CONTACTS: usize = 100;
 
 /// What the forces may leave on a body, relative to the sum of the magnitudes of the forces on it (no unit, 1e-14 to
 /// 1e-12): rounding of a few hundred terms.
@@ -33,7 +30,7 @@ const BALANCED_RELATIVE: f64 = 1e-13;
 pub(super) fn is_for_many(model: &Model, states: &[BodyState], assembly: &Assembly, contacts: &[Touch]) -> bool {
     let is_still = |body: &BodyState| body.linear_velocity == DVec3::ZERO && body.angular_momentum == DVec3::ZERO;
     let each_for = if model.plane.is_some() { 2 } else { 1 };
-    let are_many = each_for * contacts.len() >= LEAST_CONTACTS;
+    let are_many = way::are_many_at_rest(each_for * contacts.len());
     are_many && assembly.bodies().iter().all(|&body| is_still(&states[body]))
 }
 
@@ -49,7 +46,7 @@ pub(super) fn standing(
     frictional: &[Option<Frictional>],
 ) -> Result<Option<BlocksSolution>, ResponseError> {
     // What presses joints with friction is given: the velocities of bodies know nothing of it.
-    if !(assembly.problem.compliances().is_empty() && assembly.problem.is_of_pairs()) {
+    if !way::is_plain(&assembly.problem) {
         return Ok(None);
     }
     let system = (&mut BodySolver::default(), &BodySettings::default());

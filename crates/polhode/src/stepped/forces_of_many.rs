@@ -11,7 +11,7 @@ use crate::collision::touch::Touch;
 use crate::collision::{contact_kinematics, friction, slip_directions};
 use crate::model::{Loads, Model};
 use crate::rows::assembly::{Assembly, TangentRow};
-use crate::rows::friction_blocks::{push_contact, push_held};
+use crate::rows::friction_blocks::push_contact;
 use crate::scene::FrictionEllipse;
 use crate::solve::joint_loads::joint_loads;
 use polhode_contact::TangentialKinematics;
@@ -52,7 +52,7 @@ pub(super) fn forces_of_many(
             Rubs::Slides(friction) => blocks.push(Law::Slide { friction }, std::iter::once(normal).chain(tangents)),
         }
     }
-    push_held(&mut blocks, contacts.len()..assembly.first_tangent());
+    blocks.hold(contacts.len()..assembly.first_tangent());
     let kinematics = contacts.iter().map(|touch| (touch.id, &touch.kinematics));
     let constants = assembly.acceleration_constants(model, t, states, &free, kinematics)?;
     let system = (&mut BodySolver::default(), &BodySettings::default());

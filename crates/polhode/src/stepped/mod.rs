@@ -25,7 +25,7 @@
 
 mod comparison;
 mod engine;
-mod facts;
+pub(crate) mod facts;
 mod forces_of_many;
 mod instant_forces;
 mod island_steps;
@@ -38,4 +38,3 @@ mod track_ends;
 mod unexpected;
 
 pub(crate) use engine::SteppedEngine;
-pub(crate) use facts::FACTS;

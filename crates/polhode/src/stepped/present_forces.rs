@@ -12,9 +12,9 @@ use crate::model::tolerances;
 use crate::solve::accelerations::Accelerations;
 use crate::solve::joint_loads::joint_loads;
 use crate::tier::core::Core;
-use crate::time_stepping::LEAST_IN_BODIES;
 use polhode_dynamics::BodyState;
-use polhode_response::{ComplementaritySolver, ResponseError};
+use polhode_response::solve::way;
+use polhode_response::{Memory, ResponseError};
 use polhode_spatial::DVec3;
 
 /// A slip below this part of the speed that gravity gives in a step is none (no unit, 1e-6 to 1e-4): steps leave
@@ -36,13 +36,13 @@ impl PresentForces {
         let loads = model.loads_on(core.t, states, bodies);
         let body = |(body, linear, angular): (usize, DVec3, DVec3)| BodyAcceleration { body, linear, angular };
         let contacts: Vec<Touch> = contacts.iter().map(|touch| with_modes(core, states, touch)).collect();
-        if contacts.len() >= LEAST_IN_BODIES
+        if way::are_many(contacts.len())
             && !model.surfaces.have_rotational_friction()
             && let Some(found) = forces_of_many(model, (core.t, states), bodies, &contacts, &loads)?
         {
             return Ok(found);
         }
-        let mut solver = ComplementaritySolver::default();
+        let mut solver = Memory::default();
         let found = Accelerations::solve(model, (core.t, states), bodies, &contacts, &loads, &mut solver)?;
         let normal: Vec<f64> = found.solution.forces.iter().take(contacts.len()).copied().collect();
         let friction: Vec<DVec3> =

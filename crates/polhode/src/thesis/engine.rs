@@ -202,7 +202,7 @@ impl ThesisEngine {
             let solver = SolverSettings::default();
             let settings = ImpactSettings { threshold: PROPAGATION_THRESHOLD, limit: PROPAGATION_LIMIT, solver };
             let law = core.settings.impact;
-            strike(model, states, group, touches, law, &settings, &mut core.solver).map(|struck| struck.outcome)
+            strike(model, states, group, touches, law, &settings, &mut core.memory).map(|struck| struck.outcome)
         };
         outcome.map(Some).map_err(|source| SimulationError::of_response(core.t, source))
     }
@@ -467,7 +467,7 @@ fn exact_forces(
     delassus: &Delassus,
     b: &[f64],
 ) -> Result<(Vec<f64>, f64), ResponseError> {
-    let solution = core.solver.solve(&assembly.problem, delassus, b, None)?;
+    let solution = core.memory.active_set().solve(&assembly.problem, delassus, b, None)?;
     if solution.report.status != SolverStatus::Solved {
         let names = reported::names_of(&core.model, assembly.bodies());
         let residual = solution.report.residual;

@@ -22,9 +22,8 @@
 //! | `system` | bodies under fields and constant contact forces |
 
 mod engine;
-mod facts;
+pub(crate) mod facts;
 mod impulse_models;
 mod system;
 
 pub(crate) use engine::ThesisEngine;
-pub(crate) use facts::FACTS;

@@ -11,7 +11,7 @@ use crate::scene::effects::Effects;
 use crate::scene::settings::Settings;
 use crate::tier::executor::Executor;
 use polhode_dynamics::BodyState;
-use polhode_response::ComplementaritySolver;
+use polhode_response::Memory;
 use std::sync::Arc;
 
 /// The parts of a simulation that do not depend on its tier.
@@ -24,7 +24,7 @@ pub(crate) struct Core {
     pub(crate) t: f64,
     pub(crate) accounts: Accounts,
     /// Solver of contact problems, with its buffers; its answers do not depend on what it solved before.
-    pub(crate) solver: ComplementaritySolver,
+    pub(crate) memory: Memory,
     /// Who computes what does not depend on each other.
     pub(crate) executor: Arc<dyn Executor>,
     /// The overlap that springs or the collision envelope are made for, m; infinite in a run without them.

@@ -1,87 +1,40 @@
-//! The cone problem of a group of contacts in a time step, and who solves it: with friction always, without from
-//! [`LEAST_IN_BODIES`] contacts on.
+//! The cone problems of the groups of a run: what their solvers keep from step to step, and the forces of the last
+//! step, from which the next one starts.
 //!
-//! | contacts | unknowns | start |
-//! |---|---|---|
-//! | fewer than [`LEAST_IN_BODIES`] | the reactions: the matrix of all rows is formed (`polhode_response::friction`) | none |
-//! | fewer, beside trees of joints | the reactions beside the trees: the matrix of those rows (`polhode_response::sparse`) | the forces of the last step |
-//! | as many, or more | the velocities of bodies: no matrix of rows (`polhode_response::sparse`) | the forces of the last step |
-//!
-//! Both take the same rows, laws and constant terms. With the velocities of bodies memory and time grow with bodies and
-//! contacts, where the matrix of `n` rows takes `n^2` numbers and its factors `n^3` products; for a handful of contacts
-//! the matrix is smaller than what it saves. The forces of the last step are part of the state of a run
-//! (`last_forces.rs`); the order in which bodies are eliminated is kept while they stay coupled, and follows from
-//! them: it changes no bit.
-//!
-//! Where one does not come to the residual asked for, the other is tried, unless the rows are too many for their
-//! matrix, and the better answer is taken. What is left is told.
+//! The forces of the last step are part of the state of a run (`last_forces.rs`); what the solvers keep changes no bit
+//! (`polhode_response::solve::step`).
 
 use super::last_forces::LastForces;
 use crate::rows::assembly::Assembly;
 use crate::solve::cone_violation::{CONE_LIMIT, ConeViolation};
-use crate::solve::jointed::trees_of;
-use polhode_response::friction::FrictionSettings;
-use polhode_response::sparse::{BodySettings, BodySolver, HeldForest};
-use polhode_response::{Blocks, BlocksSolution, Delassus, ResponseError, SolverStatus};
-use std::collections::BTreeMap;
-
-/// From so many contacts in a group on the velocities of bodies are solved for (8 to 50).
-pub(crate) const LEAST_IN_BODIES: usize = 16;
-
-/// Most rows whose matrix is formed where the velocities of bodies were not solved for exactly enough (200 to 600).
-const MOST_ROWS_IN_PLACE: usize = 400;
-
-/// The same in the steps of heaps, which have many such groups (60 to 150).
-const MOST_ROWS_IN_HEAPS: usize = 100;
+use polhode_response::solve::step::{StepMemory, StepProblem, StepRows, is_in_bodies};
 
 /// Reactions whose violation of Coulomb's law is beyond this part of its limit are solved for to rounding (no unit,
 /// 0.01 to 1).
 const SHARE_OF_CONE_LIMIT: f64 = 0.1;
 
-/// Most sweeps of block Gauss-Seidel after all other methods of the solver have failed. The error that remains is part
-/// of the error estimate of a stretch of crowded events.
-const LAST_SWEEPS: u32 = 100;
-
-/// The largest residual of a step's problem with which no other way is tried (no unit, 1e-9 to 1e-7): velocities are
-/// then wrong by at most about this fraction of the speed that gravity gives in a step.
-pub(super) const EXACT_ENOUGH: f64 = 1e-8;
-
-/// As exactly as rounding allows where that is found soon, else as exactly as is accepted.
-const SETTINGS_IN_BODIES: BodySettings = BodySettings {
-    tolerance: 1e-12,
-    acceptance: EXACT_ENOUGH,
-    factorisations: 150,
-    warm_steps: 8,
-    rounds_of_sweeps: 0,
-};
-
-/// The solvers of the groups of a run, and the forces that they start from.
-#[derive(Debug, Default)]
-pub(super) struct ConeSolvers {
-    /// By the first body of the group.
-    solvers: BTreeMap<usize, BodySolver>,
-    pub(super) last: LastForces,
-    /// Rounds of sweeps of each problem.
-    rounds_of_sweeps: usize,
+/// Whether reactions are to be found to rounding because of their violation of Coulomb's law.
+pub(super) fn is_off(violation: Option<ConeViolation>) -> bool {
+    violation.is_some_and(|found| found.value > SHARE_OF_CONE_LIMIT * CONE_LIMIT)
 }
 
-impl Clone for ConeSolvers {
-    /// The state without the memory of the solvers, which changes no answer.
-    fn clone(&self) -> Self {
-        Self { solvers: BTreeMap::new(), last: self.last.clone(), rounds_of_sweeps: self.rounds_of_sweeps }
-    }
+/// The solvers of the groups of a run, and the forces that they start from.
+#[derive(Debug, Clone, Default)]
+pub(super) struct ConeSolvers {
+    memory: StepMemory,
+    pub(super) last: LastForces,
 }
 
 impl ConeSolvers {
     /// Those that make so many rounds of sweeps.
     pub(super) fn with_sweeps(rounds_of_sweeps: usize) -> Self {
-        Self { rounds_of_sweeps, ..Self::default() }
+        Self { memory: StepMemory::with_sweeps(rounds_of_sweeps), last: LastForces::default() }
     }
 
     /// Forgets the answers that problems would start from.
     pub(super) fn forget(&mut self) {
         self.last = LastForces::default();
-        self.solvers.clear();
+        self.memory.forget();
     }
 
     /// The problem of the rows of an assembly, the first of which are these contacts, in a step of `h` (s).
@@ -91,164 +44,17 @@ impl ConeSolvers {
         constants: &'a [f64],
         contacts: usize,
         h: f64,
-    ) -> ConeProblem<'a> {
-        let first = assembly.bodies().first().filter(|_| is_for_bodies(assembly, contacts));
-        let system = if let Some(&first) = first {
-            System::Bodies {
-                solver: self.solvers.entry(first).or_default(),
-                start: self.last.start(assembly, contacts, h),
-            }
-        } else if let Some(forest) = trees_of(assembly) {
-            let start = self.last.start(assembly, contacts, h);
-            let of_others = |start: Vec<f64>| forest.others().iter().map(|&row| start[row]).collect();
-            let start = start.map(of_others);
-            System::Beside { delassus: forest.beside(&assembly.problem).delassus, forest, start }
-        } else {
-            System::Rows(assembly.problem.delassus())
-        };
-        let settings = BodySettings { rounds_of_sweeps: self.rounds_of_sweeps, ..SETTINGS_IN_BODIES };
-        let most_rows_in_place = if self.rounds_of_sweeps > 0 { MOST_ROWS_IN_HEAPS } else { MOST_ROWS_IN_PLACE };
-        ConeProblem { assembly, constants, system, settings, most_rows_in_place, factorisations: 0 }
+    ) -> StepProblem<'a> {
+        let (rows, group) = (&assembly.problem, assembly.bodies().first().copied());
+        let rows = StepRows { rows, joints: assembly.joint_rows(), constants, contacts, group };
+        let Self { memory, last } = self;
+        memory.problem(&rows, || last.start(assembly, contacts, h))
     }
 }
 
-/// Whether a problem of so many contacts is solved in the velocities of bodies. Soft rows have no place there yet, nor
-/// have rows of gears between more than two bodies.
+/// Whether a problem of so many contacts is solved in the velocities of bodies.
 pub(super) fn is_for_bodies(assembly: &Assembly, contacts: usize) -> bool {
-    contacts >= LEAST_IN_BODIES && assembly.problem.compliances().is_empty() && assembly.problem.is_of_pairs()
-}
-
-/// The problem of one group.
-#[derive(Debug)]
-pub(super) struct ConeProblem<'a> {
-    assembly: &'a Assembly,
-    constants: &'a [f64],
-    system: System<'a>,
-    settings: BodySettings,
-    /// Most rows whose matrix is formed where the velocities of bodies were not solved for exactly enough.
-    most_rows_in_place: usize,
-    factorisations: usize,
-}
-
-/// The unknowns of a problem.
-#[derive(Debug)]
-enum System<'a> {
-    /// Reactions; the matrix of all rows.
-    Rows(Delassus),
-    /// Reactions of the rows beside trees of joints; their matrix, and those of a similar problem.
-    Beside { forest: HeldForest, delassus: Delassus, start: Option<Vec<f64>> },
-    /// Velocities of bodies; reactions of a similar problem.
-    Bodies { solver: &'a mut BodySolver, start: Option<Vec<f64>> },
-}
-
-impl ConeProblem<'_> {
-    /// Solves it with these laws; `violation` is how far reactions are from Coulomb's law. A further solve starts from
-    /// the answer of the one before.
-    ///
-    /// # Errors
-    /// When a number is not finite.
-    pub(super) fn solve(
-        &mut self,
-        blocks: &Blocks,
-        violation: impl Fn(&[f64]) -> Option<ConeViolation>,
-    ) -> Result<BlocksSolution, ResponseError> {
-        let constants = self.constants;
-        match &mut self.system {
-            System::Rows(delassus) => {
-                let mut best = solve_for_rows(blocks, (delassus, constants), None, violation)?;
-                let problem = &self.assembly.problem;
-                let is_plain = problem.compliances().is_empty() && problem.is_of_pairs();
-                if best.report.residual > EXACT_ENOUGH && is_plain {
-                    let system = (&mut BodySolver::default(), &self.settings);
-                    let (other, effort) = blocks.solve_in_bodies(problem, constants, Some(&best.reactions), system)?;
-                    self.factorisations += effort.factorisations;
-                    take_better(&mut best, other);
-                }
-                if best.report.residual > EXACT_ENOUGH {
-                    let other = blocks.solve(delassus, constants, Some(&best.reactions), &exact())?;
-                    take_better(&mut best, other);
-                }
-                Ok(best)
-            }
-            System::Beside { forest, delassus, start } => {
-                let problem = &self.assembly.problem;
-                let of_others = forest.constants_beside(problem, constants)?;
-                let own = blocks.beside(forest);
-                let in_rows = |of_others: &[f64]| {
-                    let mut reactions = vec![0.0; problem.len()];
-                    for (&row, &reaction) in forest.others().iter().zip(of_others) {
-                        reactions[row] = reaction;
-                    }
-                    violation(&reactions)
-                };
-                let mut best = solve_for_rows(&own, (delassus, &of_others), start.as_deref(), in_rows)?;
-                if best.report.residual > EXACT_ENOUGH {
-                    let other = own.solve(delassus, &of_others, Some(&best.reactions), &exact())?;
-                    take_better(&mut best, other);
-                }
-                *start = Some(best.reactions.clone());
-                blocks.with_forest((problem, forest), constants, &best)
-            }
-            System::Bodies { solver, start } => {
-                let problem = &self.assembly.problem;
-                let (mut solved, effort) =
-                    blocks.solve_in_bodies(problem, constants, start.as_deref(), (solver, &self.settings))?;
-                self.factorisations += effort.factorisations;
-                if solved.report.status != SolverStatus::Solved && problem.len() <= self.most_rows_in_place {
-                    take_better(&mut solved, blocks.solve(&problem.delassus(), constants, None, &exact())?);
-                }
-                *start = Some(solved.reactions.clone());
-                Ok(solved)
-            }
-        }
-    }
-
-    /// Factorisations in the velocities of bodies so far.
-    pub(super) const fn factorisations(&self) -> usize {
-        self.factorisations
-    }
-
-    /// Whether the next step starts from its answer.
-    pub(super) const fn is_started_from(&self) -> bool {
-        matches!(self.system, System::Bodies { .. } | System::Beside { .. })
-    }
-}
-
-/// Takes the other answer if its residual is smaller.
-fn take_better(best: &mut BlocksSolution, other: BlocksSolution) {
-    if other.report.residual < best.report.residual {
-        *best = other;
-    }
-    let is_solved = best.report.residual <= EXACT_ENOUGH;
-    best.report.status = if is_solved { SolverStatus::Solved } else { SolverStatus::Inaccurate };
-}
-
-/// Settings that ask for rounding.
-fn exact() -> FrictionSettings {
-    FrictionSettings { last_sweeps: LAST_SWEEPS, ..FrictionSettings::default() }
-}
-
-/// Solves for the reactions, with the matrix of all rows and their constant terms, from those of a similar problem.
-fn solve_for_rows(
-    blocks: &Blocks,
-    (delassus, constants): (&Delassus, &[f64]),
-    start: Option<&[f64]>,
-    violation: impl Fn(&[f64]) -> Option<ConeViolation>,
-) -> Result<BlocksSolution, ResponseError> {
-    let exact = exact();
-    let settings = FrictionSettings { acceptance: EXACT_ENOUGH, ..exact };
-    // A slip or a rate of turning that is much faster than contacts approach hides what is left of their reactions in
-    // the residual.
-    let has_rotations = blocks.laws().iter().any(|law| law.resists_rotation());
-    let mut solved = blocks.solve(delassus, constants, start, if has_rotations { &exact } else { &settings })?;
-    let is_off = violation(&solved.reactions).is_some_and(|found| found.value > SHARE_OF_CONE_LIMIT * CONE_LIMIT);
-    if !has_rotations && is_off {
-        solved = blocks.solve(delassus, constants, Some(&solved.reactions), &exact)?;
-    }
-    if solved.report.residual <= settings.acceptance {
-        solved.report.status = SolverStatus::Solved;
-    }
-    Ok(solved)
+    is_in_bodies(&assembly.problem, contacts)
 }
 
 #[cfg(test)]
@@ -268,6 +74,8 @@ mod tests {
     use polhode_contact::Shape;
     use polhode_dynamics::BodyState;
     use polhode_mesh::solid_box;
+    use polhode_response::friction::FrictionSettings;
+    use polhode_response::{Blocks, SolverStatus};
     use polhode_spatial::{DVec3, Mass, Pose, UnitVector, Velocity};
 
     /// Ten cubes in a pyramid that fall for a step under gravity; those above slide along.
@@ -307,14 +115,14 @@ mod tests {
             constants.extend(terms.basis.map(|tangent| tangent.dot(terms.slip_velocity)));
             push_contact(&mut blocks, ellipse, normal, first..assembly.problem.len());
         }
-        assert!(touches.len() >= LEAST_IN_BODIES, "{} contacts", touches.len());
+        assert!(is_for_bodies(&assembly, touches.len()), "{} contacts", touches.len());
         let mut solvers = ConeSolvers::default();
         let mut problem = solvers.problem(&assembly, &constants, touches.len(), 1.0 / 60.0);
         assert!(problem.is_started_from());
-        let in_bodies = problem.solve(&blocks, |_| None).unwrap();
+        let in_bodies = problem.solve(&blocks, |_| false).unwrap();
         assert!(problem.factorisations() > 0 && in_bodies.report.residual < 1e-11, "{:?}", in_bodies.report);
         let delassus = assembly.problem.delassus();
-        let for_rows = blocks.solve(&delassus, &constants, None, &exact()).unwrap();
+        let for_rows = blocks.solve(&delassus, &constants, None, &FrictionSettings::default()).unwrap();
         assert_eq!(for_rows.report.status, SolverStatus::Solved);
         let motions = [&in_bodies, &for_rows].map(|solved| assembly.problem.response(&solved.reactions).unwrap());
         for (a, b) in motions[0].iter().zip(&motions[1]) {

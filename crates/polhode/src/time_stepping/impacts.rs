@@ -83,7 +83,7 @@ impl TimeStepper {
         let touches: Vec<Touch> = group.contacts.iter().map(|&index| touch(&near[index])).collect();
         let all = Group { bodies: group.bodies.clone(), contacts: (0..touches.len()).collect() };
         let settings = settings_for(group, near);
-        let struck = strike(model, states, &all, &touches, self.law, &settings, &mut self.solver)?;
+        let struck = strike(model, states, &all, &touches, self.law, &settings, &mut self.memory)?;
         if struck.outcome.status == ImpactStatus::NotSolved {
             report.fallbacks += 1;
             return Ok(false);

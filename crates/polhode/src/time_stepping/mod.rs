@@ -64,7 +64,6 @@ mod step_rows;
 mod sustained;
 mod sustained_friction;
 
-pub(crate) use cone_problem::LEAST_IN_BODIES;
 pub(crate) use repeated::SHARE_OF_SIZE;
 pub(crate) use step::{TimeStepper, given_by_gravity};
 

@@ -26,7 +26,7 @@ impl TimeStepper {
         report.left_penetration_m = overlaps.deepest_m;
         if overlaps.is_excess {
             let before = report.books.balance(model, states, bodies);
-            let problem = (&mut self.solver, &mut self.delassus);
+            let problem = &mut self.memory;
             let removed = overlaps.remove(model, states, (bodies, &pairs), problem)?;
             let after = report.books.balance(model, states, bodies);
             report.books.projection(before, after, NO_WORK_J);

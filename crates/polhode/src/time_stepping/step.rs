@@ -2,7 +2,7 @@
 
 use super::NO_WORK_J;
 use super::closed_joints::close_joints;
-use super::cone_problem::{ConeSolvers, LEAST_IN_BODIES};
+use super::cone_problem::ConeSolvers;
 use super::contacts::{NearContact, Span, await_impacts, may_change_features, near_contacts, slips_at_start};
 use super::drift;
 use super::kick::Kick;
@@ -20,7 +20,8 @@ use crate::scene::ImpactLaw;
 use crate::snapshot::{SnapshotError, content};
 use crate::solve::overlap::Overlaps;
 use polhode_dynamics::BodyState;
-use polhode_response::{ComplementaritySolver, Delassus, ResponseError};
+use polhode_response::solve::way;
+use polhode_response::{Memory, ResponseError};
 use polhode_spatial::DVec3;
 use std::collections::BTreeMap;
 
@@ -95,8 +96,7 @@ pub(crate) struct TimeStepper {
     heaps: Heaps,
     /// Largest height of a bounce that need not be resolved, relative to the size of the smaller body ([`Span`]).
     pub(super) unseen_bounce: f64,
-    pub(super) solver: ComplementaritySolver,
-    pub(super) delassus: Delassus,
+    pub(super) memory: Memory,
     pub(super) carried: Carried,
     pub(super) cones: ConeSolvers,
     /// Those of the problems at the start of steps.
@@ -106,17 +106,14 @@ pub(crate) struct TimeStepper {
 impl TimeStepper {
     /// Steps by this impact law, with moments booked about a point (m), split at no more than `splits` impacts each.
     pub(crate) fn new(law: ImpactLaw, about: DVec3, splits: u32) -> Self {
-        let (solver, delassus) = (ComplementaritySolver::default(), Delassus::default());
-        let carried = Carried::default();
         Self {
             law,
             about,
             splits,
             heaps: Heaps::OneByOne,
             unseen_bounce: f64::INFINITY,
-            solver,
-            delassus,
-            carried,
+            memory: Memory::default(),
+            carried: Carried::default(),
             cones: ConeSolvers::default(),
             cones_at_start: ConeSolvers::default(),
         }
@@ -134,7 +131,7 @@ impl TimeStepper {
 
     /// Whether the impacts of an island with so many contacts are resolved together.
     pub(super) fn resolves_together(&self, contacts: usize) -> bool {
-        self.heaps == Heaps::Together && contacts >= LEAST_IN_BODIES
+        self.heaps == Heaps::Together && way::are_many(contacts)
     }
 
     /// The point about which moments are booked, m.

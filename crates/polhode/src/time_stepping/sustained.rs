@@ -30,7 +30,7 @@
 //! only some of them (`rows/many_contacts.rs`). Contacts that close because of the impulses are added until there are
 //! none.
 
-use super::cone_problem::{LEAST_IN_BODIES, is_for_bodies};
+use super::cone_problem::is_for_bodies;
 use super::contacts::{NearContact, with_rate_at_point};
 use super::middle::{Middle, Problem, Stops};
 use super::row::Row;
@@ -47,14 +47,14 @@ use crate::model::states_of::{set_states, states_of};
 use crate::model::{Model, prescribed, tolerances};
 use crate::rows::assembly::Assembly;
 use crate::rows::groups::{Group, coupled_groups};
-use crate::rows::many_contacts::{MANY_CONTACTS, furthest_out};
+use crate::rows::many_contacts::furthest_out;
 use crate::solve::closed_loops::ClosedLoops;
 use crate::solve::impact::support;
 use crate::solve::joint_loads::ContactForce;
-use crate::solve::jointed::trees_of;
 use crate::solve::rotational_friction::{moment_support, moment_work};
 use polhode_dynamics::BodyState;
-use polhode_response::{ResponseError, SolverSettings, SolverStatus, WarmStart};
+use polhode_response::solve::way;
+use polhode_response::{Ask, ResponseError, RowProblem, SolverStatus, WarmStart, solve};
 use polhode_spatial::DVec3;
 
 /// Whether bilateral constraints hold bodies of an island.
@@ -236,16 +236,10 @@ impl TimeStepper {
         } else {
             tolerances::velocity_rounding(model, states, &group.bodies)
         };
-        self.solver.set_settings(SolverSettings { noise_floor, ..SolverSettings::default() });
         let start = WarmStart::new(carried);
-        let solution = if let Some(forest) = trees_of(&assembly) {
-            self.solver.solve_with_forest(&assembly.problem, &forest, &constants, Some(&start))?
-        } else {
-            assembly.problem.delassus_into(&mut self.delassus);
-            self.solver.solve(&assembly.problem, &self.delassus, &constants, Some(&start))?.clone()
-        };
-        // The other problems of a step, of this island or the next one, have their own.
-        self.solver.set_settings(SolverSettings::default());
+        let (joints, start) = (assembly.joint_rows(), Some(&start));
+        let problem = RowProblem { joints, start, noise_floor, ..RowProblem::new(&assembly.problem, &constants) };
+        let solution = solve(&problem, Ask::Step, &mut self.memory)?;
         let solved = solution.report.status == SolverStatus::Solved;
         let residual = solution.report.residual;
         let found = Found { residual, violation: None, stops: Vec::new() };
@@ -286,7 +280,7 @@ fn pairs<'a>(near: &'a [NearContact], rows: &'a [Row]) -> impl Iterator<Item = s
 /// Leaves of the rows of pairs with many contacts those that are furthest out.
 fn thin_out(near: &[NearContact], rows: &[Row], taken: &mut [bool]) {
     for of_pair in pairs(near, rows) {
-        if of_pair.clone().filter(|&index| taken[index]).count() > MANY_CONTACTS {
+        if way::are_many_of_a_pair(of_pair.clone().filter(|&index| taken[index]).count()) {
             let some = of_pair.clone().filter(|&index| taken[index]);
             let points: Vec<_> = some.map(|index| (index, rows[index].kinematics.geometry.point)).collect();
             let outer = furthest_out(&points);
@@ -309,11 +303,11 @@ fn add_closing(model: &Model, states: &[BodyState], near: &[NearContact], rows: 
     let speed = |index: usize| rates[index] + rows[index].bound;
     let closes = |index: usize| rows[index].closes(rates[index]);
     let worst = left.iter().filter(|&&index| closes(index)).map(|&index| -speed(index)).fold(0.0, f64::max);
-    let margin = if rows.len() < LEAST_IN_BODIES { 0.0 } else { worst };
+    let margin = if way::are_many(rows.len()) { worst } else { 0.0 };
     let mut added = false;
     for of_pair in pairs(near, rows) {
         let closing = of_pair.clone().filter(|&index| !taken[index] && closes(index));
-        if of_pair.len() > MANY_CONTACTS {
+        if way::are_many_of_a_pair(of_pair.len()) {
             if let Some(index) = closing.min_by(|&a, &b| speed(a).total_cmp(&speed(b))) {
                 taken[index] = true;
                 added = true;

@@ -21,7 +21,7 @@
 //! Friction of rolling and of spinning holds the relative rotation of the bodies after the impulses at zero, or
 //! resists it by a moment of its largest size (`crate::solve::rotational_friction`).
 
-use super::cone_problem::ConeSolvers;
+use super::cone_problem::{ConeSolvers, is_off};
 use super::contacts::kinematics_at_point;
 use super::middle::Stops;
 use super::shared_work::Kicked;
@@ -35,7 +35,7 @@ use crate::joints::bilateral::{Bilateral, Reaction};
 use crate::joints::joint_friction::MOST_ROUNDS_OF_BEARINGS;
 use crate::model::{Model, tolerances};
 use crate::rows::assembly::{Assembly, TangentRow};
-use crate::rows::friction_blocks::{push_contact, push_held, with_rotations};
+use crate::rows::friction_blocks::{push_contact, with_rotations};
 use crate::rows::resisted_rotation::ResistedRotation;
 use crate::rows::rotation_row::RotationRow;
 use crate::scene::FrictionEllipse;
@@ -48,7 +48,7 @@ use polhode_spatial::DVec3;
 use std::ops::Range;
 
 /// A slip below this fraction of what a step may change it by is none (1e-6 to 1e-4): contacts that stick are left with
-/// the residual of the solver, at most that which is accepted (`cone_problem.rs`).
+/// the residual of the solver, at most that which is accepted (`polhode_response::solve::step`).
 const STICKING_RELATIVE: f64 = 1e-5;
 
 /// How much faster than anything in a step slips are pushed on, to find where they stop (no unit, 10 to 1000): no
@@ -481,8 +481,8 @@ fn settle(
         let mut problem = solvers.problem(assembly, &constants, friction.len(), h);
         let solved = loop {
             let mut blocks = with_rotations(blocks(&friction, tangents), rotations);
-            push_held(&mut blocks, friction.len()..*first_tangent);
-            let solved = problem.solve(&blocks, |reactions| violation_of(&friction, tangents, reactions))?;
+            blocks.hold(friction.len()..*first_tangent);
+            let solved = problem.solve(&blocks, |reactions| is_off(violation_of(&friction, tangents, reactions)))?;
             if !slide_under_static_friction(&mut friction, tangents, &solved, &constants) {
                 break solved;
             }

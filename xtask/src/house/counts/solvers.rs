@@ -49,19 +49,19 @@ struct Threshold {
 
 /// All of them.
 const THRESHOLDS: &[Threshold] = &[
-    Threshold { name: "LEAST_IN_BODIES", file: "cone_problem.rs" },
-    Threshold { name: "MOST_ROWS_IN_PLACE", file: "cone_problem.rs" },
-    Threshold { name: "MOST_ROWS_IN_HEAPS", file: "cone_problem.rs" },
-    Threshold { name: "MANY_OVERLAPS", file: "overlap.rs" },
-    Threshold { name: "LEAST_CONTACTS", file: "standing.rs" },
-    Threshold { name: "LEAST_ROWS_OF_TREES", file: "jointed.rs" },
-    Threshold { name: "LEAST_ROWS_WITH_LOOPS", file: "jointed.rs" },
-    Threshold { name: "MANY_CONTACTS", file: "many_contacts.rs" },
-    Threshold { name: "MOST_ROWS_OF_MATRIX", file: "part.rs" },
-    Threshold { name: "MOST_DENSE_ROWS", file: "solver.rs" },
-    Threshold { name: "LEAST_ROWS_IN_BODIES", file: "delassus.rs" },
-    Threshold { name: "LEAST_FRONT", file: "node_matrix.rs" },
-    Threshold { name: "MOST_ROWS", file: "cone_programme.rs" },
+    Threshold { name: "STEP_IN_BODIES", file: "way.rs" },
+    Threshold { name: "STEP_MOST_ROWS", file: "way.rs" },
+    Threshold { name: "STEP_MOST_ROWS_IN_HEAPS", file: "way.rs" },
+    Threshold { name: "DISPLACEMENT_IN_BODIES", file: "way.rs" },
+    Threshold { name: "REST_IN_BODIES", file: "way.rs" },
+    Threshold { name: "TREES", file: "way.rs" },
+    Threshold { name: "TREES_WITH_LOOPS", file: "way.rs" },
+    Threshold { name: "MANY_OF_A_PAIR", file: "way.rs" },
+    Threshold { name: "IMPACT_MOST_ROWS", file: "way.rs" },
+    Threshold { name: "LEAST_NORM_MOST_ROWS", file: "way.rs" },
+    Threshold { name: "IMPACT_IN_BODIES", file: "way.rs" },
+    Threshold { name: "REDUCED_FRONT", file: "way.rs" },
+    Threshold { name: "CONE_PROGRAMME_MOST_ROWS", file: "way.rs" },
 ];
 
 pub(super) fn counts(sources: &[RustSource]) -> Vec<Count> {
@@ -224,9 +224,9 @@ mod tests {
 
     #[test]
     fn a_threshold_that_moved_to_another_folder_is_found_and_one_that_is_gone_is_told() {
-        let moved = RustSource::new("crates/polhode/src/new/standing.rs", "const LEAST_CONTACTS: usize = 100;\n");
+        let moved = RustSource::new("crates/polhode-response/src/new/way.rs", "const REST_IN_BODIES: usize = 100;\n");
         let gone = thresholds_gone(&[moved]);
         assert_eq!(gone.len(), THRESHOLDS.len() - 1);
-        assert!(!gone.iter().any(|gone| gone.contains("LEAST_CONTACTS ")));
+        assert!(!gone.iter().any(|gone| gone.contains("REST_IN_BODIES ")));
     }
 }

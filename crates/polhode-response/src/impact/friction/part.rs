@@ -8,6 +8,7 @@ use crate::friction::rows_behind::RowsBehind;
 use crate::friction::{BlockMatrix, FrictionProblem, FrictionSettings, FrictionSolution, solve_friction};
 use crate::law::Law;
 use crate::report::SolverStatus;
+use crate::solve::way::IMPACT_MOST_ROWS;
 use crate::sparse::BodySolver;
 use crate::sparse::from_blocks::solve_behind;
 use std::ops::Range;
@@ -15,9 +16,6 @@ use std::ops::Range;
 /// A rise of energy above this fraction of `sum |p_i| (|u_i-| + |u_i+|) / 2` is real (no unit): cone problems are
 /// solved to some 1e-13 of the velocities.
 pub(super) const CONE_ENERGY_ROUNDING: f64 = 1e-11;
-
-/// Most rows whose matrix is factorised where the velocities of bodies were not solved for exactly enough (200 to 600).
-const MOST_ROWS_OF_MATRIX: usize = 400;
 
 /// Blocks that move each other, and what is known of the impact there.
 #[derive(Debug, Clone)]
@@ -119,7 +117,7 @@ impl Part {
             .rows_behind()
             .and_then(|behind| solve_behind((problem.blocks(), behind), problem.constant(), &start, system).ok());
         let is_left = |solution: &FrictionSolution| {
-            solution.report.status == SolverStatus::Solved || start.len() > MOST_ROWS_OF_MATRIX
+            solution.report.status == SolverStatus::Solved || start.len() > IMPACT_MOST_ROWS
         };
         let solution = match in_bodies.filter(is_left) {
             Some(solution) => solution,

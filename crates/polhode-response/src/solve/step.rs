@@ -1,0 +1,234 @@
+//! Blocks with friction over a time step: which unknowns they are solved for.
+//!
+//! | contacts | unknowns | start |
+//! |---|---|---|
+//! | few | the reactions: the matrix of all rows is formed ([`friction`](crate::friction)) | none |
+//! | few, beside trees of joints | the reactions beside the trees: the matrix of those rows | those of the last step |
+//! | many | the velocities of bodies: no matrix of rows ([`sparse`](crate::sparse)) | those of the last step |
+//!
+//! All take the same rows, laws and constant terms. The order in which bodies are eliminated is kept while they stay
+//! coupled, and follows from them: it changes no bit.
+//!
+//! Where one does not come to the residual asked for, the other is tried, unless the rows are too many for their
+//! matrix, and the better answer is taken. What is left is told.
+
+use super::way::{self, STEP_MOST_ROWS, STEP_MOST_ROWS_IN_HEAPS};
+use crate::delassus::Delassus;
+use crate::error::ResponseError;
+use crate::friction::{Blocks, BlocksSolution, FrictionSettings};
+use crate::problem::ContactProblem;
+use crate::report::SolverStatus;
+use crate::sparse::{BodySettings, BodySolver, HeldForest};
+use std::collections::BTreeMap;
+use std::ops::Range;
+
+/// Most sweeps of block Gauss-Seidel after all other methods of the solver have failed. The error that remains is part
+/// of the error estimate of a stretch of crowded events.
+const LAST_SWEEPS: u32 = 100;
+
+/// The largest residual of a step's problem with which no other way is tried (no unit, 1e-9 to 1e-7): velocities are
+/// then wrong by at most about this fraction of the speed that gravity gives in a step.
+const EXACT_ENOUGH: f64 = 1e-8;
+
+/// As exactly as rounding allows where that is found soon, else as exactly as is accepted.
+const SETTINGS_IN_BODIES: BodySettings = BodySettings {
+    tolerance: 1e-12,
+    acceptance: EXACT_ENOUGH,
+    factorisations: 150,
+    warm_steps: 8,
+    rounds_of_sweeps: 0,
+};
+
+/// What the steps of a run keep: the solvers of their groups.
+#[derive(Debug, Default)]
+pub struct StepMemory {
+    /// By the first body of the group.
+    solvers: BTreeMap<usize, BodySolver>,
+    /// Rounds of sweeps of each problem.
+    rounds_of_sweeps: usize,
+}
+
+impl Clone for StepMemory {
+    /// Without the memory of the solvers, which changes no answer.
+    fn clone(&self) -> Self {
+        Self::with_sweeps(self.rounds_of_sweeps)
+    }
+}
+
+/// The rows of a group of contacts and joints over a step.
+#[derive(Debug, Clone)]
+pub struct StepRows<'a> {
+    /// Bodies and rows.
+    pub rows: &'a ContactProblem,
+    /// Those of the rows that are of joints.
+    pub joints: Range<usize>,
+    /// Rates without impulses, m/s.
+    pub constants: &'a [f64],
+    /// Number of contacts.
+    pub contacts: usize,
+    /// The number, in the scene, of the first body: groups are told apart by it from step to step.
+    pub group: Option<usize>,
+}
+
+impl StepMemory {
+    /// Steps of heaps, whose problems begin with so many rounds of sweeps.
+    pub fn with_sweeps(rounds_of_sweeps: usize) -> Self {
+        Self { rounds_of_sweeps, ..Self::default() }
+    }
+
+    /// Forgets what it keeps.
+    pub fn forget(&mut self) {
+        self.solvers.clear();
+    }
+
+    /// The problem of some rows; `start` gives reactions of a similar problem, one for each row, where they are used.
+    pub fn problem<'a>(&'a mut self, rows: &StepRows<'a>, start: impl FnOnce() -> Option<Vec<f64>>) -> StepProblem<'a> {
+        let in_bodies = rows.group.filter(|_| is_in_bodies(rows.rows, rows.contacts));
+        let system = if let Some(first) = in_bodies {
+            System::Bodies { solver: self.solvers.entry(first).or_default(), start: start() }
+        } else if let Some(forest) = way::trees(rows.rows, rows.joints.clone()) {
+            let of_others = |start: Vec<f64>| forest.others().iter().map(|&row| start[row]).collect();
+            let start = start().map(of_others);
+            System::Beside { delassus: forest.beside(rows.rows).delassus, forest, start }
+        } else {
+            System::Rows(rows.rows.delassus())
+        };
+        let settings = BodySettings { rounds_of_sweeps: self.rounds_of_sweeps, ..SETTINGS_IN_BODIES };
+        let most_rows = if self.rounds_of_sweeps > 0 { STEP_MOST_ROWS_IN_HEAPS } else { STEP_MOST_ROWS };
+        StepProblem { rows: rows.rows, constants: rows.constants, system, settings, most_rows, factorisations: 0 }
+    }
+}
+
+/// Whether the rows of so many contacts are solved for in the velocities of bodies.
+pub fn is_in_bodies(rows: &ContactProblem, contacts: usize) -> bool {
+    way::are_many(contacts) && way::is_plain(rows)
+}
+
+/// The problem of one group.
+#[derive(Debug)]
+pub struct StepProblem<'a> {
+    rows: &'a ContactProblem,
+    constants: &'a [f64],
+    system: System<'a>,
+    settings: BodySettings,
+    /// Most rows whose matrix is formed where the velocities of bodies were not solved for exactly enough.
+    most_rows: usize,
+    factorisations: usize,
+}
+
+/// The unknowns of a problem.
+#[derive(Debug)]
+enum System<'a> {
+    /// Reactions; the matrix of all rows.
+    Rows(Delassus),
+    /// Reactions of the rows beside trees of joints; their matrix, and those of a similar problem.
+    Beside { forest: HeldForest, delassus: Delassus, start: Option<Vec<f64>> },
+    /// Velocities of bodies; reactions of a similar problem.
+    Bodies { solver: &'a mut BodySolver, start: Option<Vec<f64>> },
+}
+
+impl StepProblem<'_> {
+    /// Solves it with these laws; `is_off` says whether reactions are too far from Coulomb's law to be taken, whatever
+    /// the residual. A further solve starts from the answer of the one before.
+    ///
+    /// # Errors
+    /// When a number is not finite.
+    #[cfg_attr(feature = "census", track_caller)]
+    pub fn solve(&mut self, blocks: &Blocks, is_off: impl Fn(&[f64]) -> bool) -> Result<BlocksSolution, ResponseError> {
+        let constants = self.constants;
+        match &mut self.system {
+            System::Rows(delassus) => {
+                let mut best = solve_for_rows(blocks, (delassus, constants), None, is_off)?;
+                let problem = self.rows;
+                if best.report.residual > EXACT_ENOUGH && way::is_plain(problem) {
+                    let system = (&mut BodySolver::default(), &self.settings);
+                    let (other, effort) = blocks.solve_in_bodies(problem, constants, Some(&best.reactions), system)?;
+                    self.factorisations += effort.factorisations;
+                    take_better(&mut best, other);
+                }
+                if best.report.residual > EXACT_ENOUGH {
+                    let other = blocks.solve(delassus, constants, Some(&best.reactions), &exact())?;
+                    take_better(&mut best, other);
+                }
+                Ok(best)
+            }
+            System::Beside { forest, delassus, start } => {
+                let problem = self.rows;
+                let of_others = forest.constants_beside(problem, constants)?;
+                let own = blocks.beside(forest);
+                let in_rows = |of_others: &[f64]| {
+                    let mut reactions = vec![0.0; problem.len()];
+                    for (&row, &reaction) in forest.others().iter().zip(of_others) {
+                        reactions[row] = reaction;
+                    }
+                    is_off(&reactions)
+                };
+                let mut best = solve_for_rows(&own, (delassus, &of_others), start.as_deref(), in_rows)?;
+                if best.report.residual > EXACT_ENOUGH {
+                    let other = own.solve(delassus, &of_others, Some(&best.reactions), &exact())?;
+                    take_better(&mut best, other);
+                }
+                *start = Some(best.reactions.clone());
+                blocks.with_forest((problem, forest), constants, &best)
+            }
+            System::Bodies { solver, start } => {
+                let problem = self.rows;
+                let (mut solved, effort) =
+                    blocks.solve_in_bodies(problem, constants, start.as_deref(), (solver, &self.settings))?;
+                self.factorisations += effort.factorisations;
+                if solved.report.status != SolverStatus::Solved && problem.len() <= self.most_rows {
+                    take_better(&mut solved, blocks.solve(&problem.delassus(), constants, None, &exact())?);
+                }
+                *start = Some(solved.reactions.clone());
+                Ok(solved)
+            }
+        }
+    }
+
+    /// Factorisations in the velocities of bodies so far.
+    pub const fn factorisations(&self) -> usize {
+        self.factorisations
+    }
+
+    /// Whether the next step starts from its answer.
+    pub const fn is_started_from(&self) -> bool {
+        matches!(self.system, System::Bodies { .. } | System::Beside { .. })
+    }
+}
+
+/// Takes the other answer if its residual is smaller.
+fn take_better(best: &mut BlocksSolution, other: BlocksSolution) {
+    if other.report.residual < best.report.residual {
+        *best = other;
+    }
+    let is_solved = best.report.residual <= EXACT_ENOUGH;
+    best.report.status = if is_solved { SolverStatus::Solved } else { SolverStatus::Inaccurate };
+}
+
+/// Settings that ask for rounding.
+fn exact() -> FrictionSettings {
+    FrictionSettings { last_sweeps: LAST_SWEEPS, ..FrictionSettings::default() }
+}
+
+/// Solves for the reactions, with the matrix of all rows and their constant terms, from those of a similar problem.
+#[cfg_attr(feature = "census", track_caller)]
+fn solve_for_rows(
+    blocks: &Blocks,
+    (delassus, constants): (&Delassus, &[f64]),
+    start: Option<&[f64]>,
+    is_off: impl Fn(&[f64]) -> bool,
+) -> Result<BlocksSolution, ResponseError> {
+    let exact = exact();
+    let settings = FrictionSettings { acceptance: EXACT_ENOUGH, ..exact };
+    // A slip or a rate of turning that is much faster than contacts approach hides what is left of their reactions in
+    // the residual.
+    let has_rotations = blocks.laws().iter().any(|law| law.resists_rotation());
+    let mut solved = blocks.solve(delassus, constants, start, if has_rotations { &exact } else { &settings })?;
+    if !has_rotations && is_off(&solved.reactions) {
+        solved = blocks.solve(delassus, constants, Some(&solved.reactions), &exact)?;
+    }
+    if solved.report.residual <= settings.acceptance {
+        solved.report.status = SolverStatus::Solved;
+    }
+    Ok(solved)
+}

@@ -1,0 +1,54 @@
+//! Rows that push and rows that hold.
+
+use super::problem::{Memory, RowProblem};
+use super::way::{self, DISPLACEMENT_IN_BODIES};
+use crate::complementarity::ContactSolution;
+use crate::error::ResponseError;
+use crate::friction::Blocks;
+use crate::law::Law;
+use crate::report::SolverStatus;
+use crate::settings::SolverSettings;
+use crate::sparse::{BodySettings, BodySolver};
+
+/// By the active set: beside the trees of joints, or with the matrix of all rows.
+#[cfg_attr(feature = "census", track_caller)]
+pub(super) fn active_set(problem: &RowProblem<'_>, memory: &mut Memory) -> Result<ContactSolution, ResponseError> {
+    let RowProblem { rows, joints, constants, start, noise_floor } = problem;
+    let Memory { active_set, delassus } = memory;
+    active_set.set_settings(SolverSettings { noise_floor: *noise_floor, ..SolverSettings::default() });
+    let found = if let Some(forest) = way::trees(rows, joints.clone()) {
+        active_set.solve_with_forest(rows, &forest, constants, *start)
+    } else {
+        rows.delassus_into(delassus);
+        active_set.solve(rows, delassus, constants, *start).cloned()
+    };
+    // The next problem has a noise of its own.
+    active_set.set_settings(SolverSettings::default());
+    found
+}
+
+/// What removes many overlaps, found in the displacements of bodies: without a matrix of their rows, which grows with
+/// the square of their number. None for few, or where it is not found.
+#[cfg_attr(feature = "census", track_caller)]
+pub(super) fn displacements(problem: &RowProblem<'_>, accuracy: f64) -> Result<Option<ContactSolution>, ResponseError> {
+    let (rows, joints) = (problem.rows, &problem.joints);
+    let contacts = rows.len() - joints.len();
+    if contacts < DISPLACEMENT_IN_BODIES || !rows.is_of_pairs() {
+        return Ok(None);
+    }
+    let mut blocks = Blocks::default();
+    for row in 0..contacts {
+        blocks.push(Law::Push, [row]);
+    }
+    blocks.hold(contacts..rows.len());
+    let settings =
+        BodySettings { tolerance: accuracy, acceptance: accuracy, rounds_of_sweeps: 1, ..BodySettings::default() };
+    let system = (&mut BodySolver::default(), &settings);
+    let (solved, _) = blocks.solve_in_bodies(rows, problem.constants, None, system)?;
+    Ok((solved.report.status == SolverStatus::Solved).then(|| ContactSolution {
+        forces: solved.reactions,
+        residual_accelerations: solved.velocities,
+        report: solved.report,
+        ..ContactSolution::default()
+    }))
+}
