@@ -3,9 +3,11 @@
 //!
 //! | contacts | unknowns | start |
 //! |---|---|---|
-//! | fewer than [`LEAST_IN_BODIES`] | the reactions: the matrix of all rows is formed (`polhode_response::friction`) | none |
-//! | fewer, beside trees of joints | the reactions beside the trees: the matrix of those rows (`polhode_response::sparse`) | the forces of the last step |
-//! | as many, or more | the velocities of bodies: no matrix of rows (`polhode_response::sparse`) | the forces of the last step |
+//! | fewer than [`LEAST_IN_BODIES`] | reactions: the matrix of all rows is formed | none |
+//! | fewer, beside trees of joints | reactions beside the trees: the matrix of those rows | forces of the last step |
+//! | as many, or more | velocities of bodies: no matrix of rows | forces of the last step |
+//!
+//! The first is solved by `polhode_response::friction`, the others by `polhode_response::sparse`.
 //!
 //! Both take the same rows, laws and constant terms. With the velocities of bodies memory and time grow with bodies and
 //! contacts, where the matrix of `n` rows takes `n^2` numbers and its factors `n^3` products; for a handful of contacts
