@@ -180,9 +180,11 @@ fn crowded_json(report: &RunReport) -> Value {
 
 /// What was tolerated or chosen; times in s.
 fn occurrences_json(occurrences: &[Occurrence]) -> Value {
-    let one = |Occurrence { what, count, first_s, last_s, .. }: &Occurrence| json!({
-        "what": what, "count": count, "first_s": first_s, "last_s": last_s
-    });
+    let one = |Occurrence { what, count, first_s, last_s, .. }: &Occurrence| {
+        json!({
+            "what": what, "count": count, "first_s": first_s, "last_s": last_s
+        })
+    };
     occurrences.iter().map(one).collect()
 }
 

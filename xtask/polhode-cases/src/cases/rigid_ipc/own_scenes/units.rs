@@ -131,9 +131,11 @@ fn tunnels() -> Vec<OwnScene> {
     let held = json!([false, false, false, true, true, true]);
     let floor = json!({ "mesh": "plane.obj", "position": [0, -0.501, 0], "scale": [0.5, 1, 1], "type": "static" });
     let roof = json!({ "mesh": "plane.obj", "position": [0, 0.501, 0], "scale": [0.5, 1, 1], "type": "static" });
-    let wall = |x: f64, turn: f64| json!({
-        "mesh": "plane.obj", "position": [x, 0, 0], "rotation": [0, 0, turn], "type": "static"
-    });
+    let wall = |x: f64, turn: f64| {
+        json!({
+            "mesh": "plane.obj", "position": [x, 0, 0], "rotation": [0, 0, turn], "type": "static"
+        })
+    };
     vec![
         scene(
             "tunnel of 2 walls",
