@@ -7,7 +7,6 @@
 //! | 3 | where that has no solution: `f_a` itself | the power `f.w >= 0` (W) is added |
 //!
 //! In stage 2 those contacts vanish that `f_a = argmin sum f` subject to `w >= 0`, `f >= 0` opens (`w_a > 0`).
-//!
 //! Here `f` are forces (N), `w` accelerations of separation (m/s^2), `G` 1/kg. The forces are those of [`least_force`],
 //! which does not tell what it took for vanishing. Stage 3 is wrong in general (errata E15: a beam over the edge of a
 //! table), and the bound of the report, `sqrt(f.w)`, says by how much.

@@ -63,8 +63,7 @@
 //! |---|---|---|
 //! | problem | takes inverse masses and the rows of each constraint | `problem.rs`, `law.rs` |
 //! | Delassus matrix | computes `J M^-1 J^T` | `delassus.rs` |
-//! | active set | finds the rows with forces, from the last ones (warm start) | `complementarity/solver.rs` |
-//! | | | `complementarity/active_set.rs` |
+//! | active set | finds rows with forces, warm start | `complementarity/solver.rs`, `complementarity/active_set.rs` |
 //! | twice the precision | repeats that where rows nearly depend on each other | `precise.rs` |
 //! | interior point | solves what the active set has not | `interior_point.rs` |
 //! | certificate | computes residual and error bound of the answer | `certificate.rs` |
@@ -85,13 +84,11 @@
 //! | stage | what it does | where |
 //! |---|---|---|
 //! | groups | parts contacts that do not move each other | `impact/friction/multiple.rs` |
-//! | one contact | follows slip, stick, reversal and jam | `impact/friction/single.rs` |
-//! | | makes its normal impulse grow | `impact/friction/path.rs` |
+//! | one contact | follows slip, stick, reversal and jam | `impact/friction/single.rs`, `impact/friction/path.rs` |
 //! | several | chooses normal velocities, solves cone problems | `impact/friction/simultaneous.rs` |
 //! | | keeps the energy from rising | `impact/friction/simultaneous.rs` |
 //! | or one at a time | strikes them in order | `impact/friction/sequence.rs` |
-//! | outcome | returns impulses, works, status and energy | `impact/friction/outcome.rs` |
-//! | | | `impact/friction/multiple_outcome.rs` |
+//! | outcome | impulses, works, status, energy | `impact/friction/multiple_outcome.rs`, `impact/friction/outcome.rs` |
 
 #[cfg(feature = "census")]
 pub mod census;

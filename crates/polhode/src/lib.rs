@@ -87,18 +87,15 @@
 //! | scene | collects bodies, forces and method, and checks them | `scene/builder.rs` |
 //! | settings | completes the method by the defaults of its tier | `scene/settings.rs` |
 //! | model | puts bodies into their moving frames, makes force fields | `model` |
-//! | findings | chooses the integrator | `plan/free_method.rs` |
-//! | | measures whether the motion is planar | `plan/planar.rs` |
+//! | findings | chooses the integrator, tells planar motion | `plan/free_method.rs`, `plan/planar.rs` |
 //! | plan | decides which effects are simulated, and says why | `plan/decisions.rs` |
 //! | simulation | makes the tier, and lets it advance to a time or event | `run/simulation.rs`, `tier/mod.rs` |
 //! | first instant | finds the contacts of the start and decides which are active | `accurate/start.rs` |
 //! | free flight | makes a flight record of each body under gravity alone | `accurate/motions.rs` |
-//! | step | integrates each island under its contact forces | `accurate/constrained_stepping.rs` |
-//! | | or by the scene's integrator | `accurate/free_stepping.rs` |
+//! | step | integrates each island, held or free | `accurate/constrained_stepping.rs`, `accurate/free_stepping.rs` |
 //! | forces of a stage | assembles rows of contacts and pivots, and solves | `accurate/system.rs`, `rows/assembly.rs` |
 //! | event location | finds the first change of contacts in the step | `accurate/locate.rs` |
-//! | search for impacts | finds pairs whose swept boxes overlap | `collision/boxes.rs` |
-//! | | finds their first impacts | `accurate/impact_search.rs` |
+//! | search for impacts | finds swept boxes that overlap; impacts | `collision/boxes.rs`, `accurate/impact_search.rs` |
 //! | agenda | gives the next end of a step, change of contacts or impact | `accurate/agenda.rs`, `accurate/tier.rs` |
 //! | samples | evaluates the states at the times of output before that | `tier/sampling.rs`, `report/observer.rs` |
 //! | event | ends the islands concerned at that time | `accurate/events.rs` |

@@ -20,8 +20,7 @@
 //! | path of compliance | where neither comes to the end | `compliance_path.rs`, `compliant_law.rs` |
 //! | smoothing Newton | where the path turns back | `smoothing.rs`, `smoothed_cone.rs` |
 //! | balance | makes forces balance to rounding | `balance.rs` |
-//! | forest | trees of joints, eliminated before all else | `held_forest.rs`, `forest_passes.rs` |
-//! | | what is left beside them | `beside_forest.rs` |
+//! | forest | trees of joints, eliminated first; the rest | `held_forest.rs`, `forest_passes.rs`, `beside_forest.rs` |
 //! | solver | the chain of methods, and what is told of it | `solver.rs`, `solution.rs`, `settings.rs` |
 //!
 //! The residual is the natural map in units of impulse per unit of the largest reaction; what is not reached within

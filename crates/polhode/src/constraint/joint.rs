@@ -12,8 +12,7 @@
 //! | rod | the distance of two points | all but displacements along their line |
 //! | rope | nothing: limits of a distance are stops | all |
 //! | planar | a point in a plane, and its normal (`planar.rs`) | displacements in it, the rotation about the normal |
-//! | track | a point on a curve (`track.rs`), or in its plane on one side | the displacement along it, all rotations |
-//! | track with springs | nothing | all |
+//! | track | a point on a curve or on one side of it (`track.rs`), or nothing | displacement along it, all rotations |
 
 use super::coordinate::{CoordinateAt, Measured};
 use super::end::{End, EndKinematics, Order};

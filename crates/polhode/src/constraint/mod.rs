@@ -25,8 +25,7 @@
 //! | `point`, `line`, `perpendicular`, `thread` | the rows that joints are put together from |
 //! | `hinge`, `slider`, `fixed`, `universal`, `cylindrical`, `screw`, `planar`, `on_track` | one kind of joint each |
 //! | `tree_joint` | the kinds whose relative motion has coordinates of its own |
-//! | `coordinate`, `coordinate_at`, `joint_coordinate` | coordinates of joints: value, rate, row |
-//! | `turns` | revolutions of coordinates |
+//! | `coordinate`, `coordinate_at`, `joint_coordinate`, `turns` | coordinates of joints: value, rate, row, turns |
 //! | `joint_forces`, `motors`, `joint_power` | springs, dampers and motors along coordinates; what they give |
 //! | `softness`, `soft_rows` | the same as soft rows of a time step |
 //! | `tie`, `ties` | gears and prescribed motions of coordinates |

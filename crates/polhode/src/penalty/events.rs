@@ -14,10 +14,9 @@
 //! | mu_s F_n - T | the tangential spring gives way | `T - mu F_n` |
 //! | speed of giving way | it holds | `int k_t (speed) dt` |
 //! | slip that is left before friction is kinetic | it becomes so | `(mu_s - mu) F_n`, and its damper |
-//! | margin of the point within its features | it leaves them | that of its spring, and of overlaps without a spring |
+//! | margin within its features, beyond rounding | the point leaves | that of its spring, and of overlaps without one |
 //!
-//! A missed force counts beyond what the rounding of positions makes of the spring's force anyway, and a margin beyond
-//! its rounding.
+//! A missed force counts beyond what the rounding of positions makes of the spring's force anyway.
 //!
 //! **Which changes end a step.** The impulse of the missed force over the rest of the step is the error of a step that
 //! goes on: `dv = (sum over looks) F dt tr(1/M)`, `dx = dv h`, with the trace of the inverse mass at the point of

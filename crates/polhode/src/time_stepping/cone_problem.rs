@@ -7,8 +7,7 @@
 //! | fewer, beside trees of joints | reactions beside the trees: the matrix of those rows | forces of the last step |
 //! | as many, or more | velocities of bodies: no matrix of rows | forces of the last step |
 //!
-//! The first is solved by `polhode_response::friction`, the others by `polhode_response::sparse`.
-//!
+//! `polhode_response::friction` solves the first of these, `polhode_response::sparse` the others.
 //! Both take the same rows, laws and constant terms. With the velocities of bodies memory and time grow with bodies and
 //! contacts, where the matrix of `n` rows takes `n^2` numbers and its factors `n^3` products; for a handful of contacts
 //! the matrix is smaller than what it saves. The forces of the last step are part of the state of a run

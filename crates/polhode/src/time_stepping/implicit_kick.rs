@@ -15,7 +15,6 @@
 //!
 //! The implicit midpoint rule is stable at any length and conserves the energy of a linear spring. A spring that the
 //! step resolves is left to the explicit kick, which gives bodies at rest the whole of its force.
-//!
 //! Constraints change the velocities by `c` in the same step; where `c` is known from a first solution (`step.rs`), the
 //! whole change is `dv + c + g h`, and the right-hand side has `-(h a h K + h s D) c` besides.
 //!
