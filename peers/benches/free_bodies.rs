@@ -3,7 +3,7 @@
 //!
 //! | name | what one step of 1/60 s is |
 //! |---|---|
-//! | `rapier3d-f64` | a step of its pipeline: no colliders, nothing sleeps, gyroscopic forces on, its default of 4 substeps |
+//! | `rapier3d-f64` | a step of its pipeline: no colliders, no sleep, gyroscopic forces, 4 substeps (its default) |
 //! | `rapier3d-f64, one substep` | the same with one substep: faster, and less accurate |
 //! | `simulation` | a step of a whole [`Simulation`], ledger and all, that ends in a sample of all bodies |
 //! | `flight records` | all states from the records of their flights |

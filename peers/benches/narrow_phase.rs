@@ -7,7 +7,7 @@
 //!
 //! | row | one step is |
 //! |---|---|
-//! | `persistent` | boxes of all bodies, [`Bvh`], `near_manifold_with` for every pair: exact manifolds, with what is remembered of it |
+//! | `persistent` | boxes of all bodies, [`Bvh`], `near_manifold_with` for every pair: exact, with its memory |
 //! | `fresh` | the same with `manifold_into` for every pair, nothing kept but buffers |
 //! | `rapier` | `CollisionPipeline::step`: its boxes, tree, pairs and manifolds, caches warm; no solver |
 //!
@@ -405,7 +405,10 @@ fn peers(criterion: &mut Criterion) {
 
 criterion_group! {
     name = benches;
-    config = Criterion::default().sample_size(10).warm_up_time(Duration::from_millis(500)).measurement_time(Duration::from_secs(2));
+    config = Criterion::default()
+        .sample_size(10)
+        .warm_up_time(Duration::from_millis(500))
+        .measurement_time(Duration::from_secs(2));
     targets = peers
 }
 criterion_main!(benches);

@@ -16,7 +16,7 @@
 //! | `ratio` | medians / 99th percentiles, to each of them |
 //! | `penetration` | the deepest overlap at the end of every tenth step |
 //! | `drift` | the largest displacement of a body from its start to the end; only where the scene can stand |
-//! | `residual` | of each engine's own impulses, judged by one function (`support/scale/judge.rs`) in every tenth step |
+//! | `residual` | of each engine's own impulses, by one judge (`support/scale/judge.rs`), every tenth step |
 //! | `factorisations` | of polhode in a step; with the largest residual that it tells itself |
 //!
 //! Rapier's residual, penetration and drift are those of a run with its Coulomb friction at each point and without

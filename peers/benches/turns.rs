@@ -10,8 +10,8 @@
 //!
 //! | column | what |
 //! |---|---|
-//! | `step` | median times of polhode and of rapier, ms, and the ratio of these medians; that of the last third of the steps |
-//! | `overlap` | the largest of all looks: polhode; rapier with one friction for a face (its default); rapier with friction at each point |
+//! | `step` | median times of polhode and of rapier, ms, and their ratio; that ratio of the last third of the steps |
+//! | `overlap` | the largest: polhode; rapier with one friction for a face (its default); with friction at each point |
 //! | `drift` | the largest displacement from the start to the end, of the same three; only where the scene can stand |
 //! | `residual` | median, by the judge of both: polhode; rapier with friction at each point |
 //!

@@ -95,7 +95,8 @@ const INTRODUCTION: &str = "# What accuracy costs
 
 ![contact: error against time, all methods](figures/cost-contact.svg)
 
-Four shipped scenes by every method. A method that is wrong by 1 has nothing to do with the right motion any more. Within
+Four shipped scenes by every method. A method that is wrong by 1 has nothing to do with the right motion any more. \
+Within
 the band the choice of a [law of contact](contact-methods.md) matters more than the method. Where a line is missing, the
 method does not take the scene; the table says why. The heuristic is what the tier `thesis` does by itself: one line.
 
@@ -122,10 +123,13 @@ fixtures/scenes/NAME.toml` prints the whole table of each.
 - **Reference** is the exact solution if the motion is flight in closed form, else the finest one computed. Its own
   uncertainty is stated. An error is given as `<=` that uncertainty if it is smaller. *Confirmed* is the difference from
   a method that integrates in another way.
-- **Law** is no error: where bodies meet, methods may have other laws (of impacts, or springs in the place of impacts). Each is judged by
+- **Law** is no error: where bodies meet, methods may have other laws (of impacts, or springs in the place of \
+impacts). Each is judged by
   the limit of its own law, computed by the most accurate tier, or by its own finest run where no other method has that
-  law. How far that limit is from the limit of the scene's law stands in a column of its own, and as a line across the figure. It counts
-  where an accuracy is asked for (`--target`, `--accuracy`): the error is then that of the method and of its law together.
+  law. How far that limit is from the limit of the scene's law stands in a column of its own, and as a line across \
+the figure. It counts
+  where an accuracy is asked for (`--target`, `--accuracy`): the error is then that of the method and of its law \
+together.
 - **Time** is a ratio: of the time of RK4 at its middle step, or of the first method where RK4 does not run alone. All
   methods take turns on the same machine, round after round, and the median of the ratios is given, so that it says
   something on other machines too. Its third digit is not reliable: caches and compilers change it.
@@ -135,9 +139,11 @@ fixtures/scenes/NAME.toml` prints the whole table of each.
   the attitude do not exceed.
 - **Ties** are methods that reach a target and whose time cannot be told from that of the cheapest: the ranges that hold
   the middle half of the rounds of both overlap. A bar shows such a range if it is wider than a marker. A ring marks the
-  cheapest method for an error of 1e-6, a dashed ring a tie. Settings of one method that made the same run, step for step
+  cheapest method for an error of 1e-6, a dashed ring a tie. Settings of one method that made the same run, step for \
+step
   and bit for bit (tolerances that nothing needs), are ties whatever their times; the first of them is named.
-- **Velocity** and **energy** in the tables that `polhode cost` prints: the largest error of a velocity at the end of the
+- **Velocity** and **energy** in the tables that `polhode cost` prints: the largest error of a velocity at the end \
+of the
   run, of the largest speed (0 where all have come to rest), and what integration lost or made of the energy.
 - **Colours** are families of methods, markers their members.
 - The **Pareto front** has the methods for which no other has both a smaller error and a shorter time. In a figure it is

@@ -241,7 +241,8 @@ pub(crate) struct CostArgs {
     #[arg(long, conflicts_with_all = ["vary", "target", "instructions", "svg"])]
     pub(crate) broad_phase: bool,
     /// Times the methods with so many bodies in the arrays of the scene, and tells how the time grows: 100,200,400
-    #[arg(long, value_name = "N,...", value_delimiter = ',', value_parser = clap::value_parser!(u32).range(1..), conflicts_with_all = ["target", "instructions", "svg", "html", "broad_phase"])]
+    #[arg(long, value_name = "N,...", value_delimiter = ',', value_parser = clap::value_parser!(u32).range(1..))]
+    #[arg(conflicts_with_all = ["target", "instructions", "svg", "html", "broad_phase"])]
     pub(crate) scale: Vec<u32>,
     /// Names the cheapest method whose error stays below this, and its ties; exit code 1 when there is none
     ///
@@ -267,7 +268,8 @@ pub(crate) struct CostArgs {
     #[arg(long)]
     pub(crate) json: bool,
     /// Samples that errors are taken from
-    #[arg(long, value_name = "N", default_value_t = 200, value_parser = clap::value_parser!(u32).range(1..=MOST_SAMPLES))]
+    #[arg(long, value_name = "N", default_value_t = 200)]
+    #[arg(value_parser = clap::value_parser!(u32).range(1..=MOST_SAMPLES))]
     pub(crate) samples: u32,
     /// Rounds of timing at the most
     #[arg(long, value_name = "N", default_value_t = 25, value_parser = clap::value_parser!(u32).range(1..))]

@@ -44,7 +44,8 @@
 //! | scene | loads the file, stdin or an example with these values | `run.rs`, `scene.rs` |
 //! | outputs | opens files and the checkpoint, none of which may replace an input | `run_files.rs`, `checkpoints.rs` |
 //! | simulation | makes the simulation and its plan | `scene.rs` |
-//! | run | runs it, telling how far it is, up to the end, a checkpoint or Ctrl-C | `run.rs`, `watch.rs`, `progress.rs` |
+//! | run | runs it up to the end, a checkpoint or Ctrl-C | `run.rs` |
+//! | | tells how far it is | `watch.rs`, `progress.rs` |
 //! | report | prints the report and the plan, for people or as JSON | `text/report.rs`, `stdout.rs` |
 //! | exit code | says on stderr what went wrong, and returns the exit code | `failure.rs` |
 

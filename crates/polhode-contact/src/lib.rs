@@ -11,12 +11,22 @@
 //!
 //! | module | holds |
 //! |---|---|
-//! | [`mod@shape`] | [`Shape`] and its kinds: polyhedra, spheres, half-spaces, points, capsules, cylinders, cones, tori, meshes, compounds |
+//! | [`mod@shape`] | [`Shape`] and its kinds: polyhedra, spheres, capsules, cylinders, cones, tori, |
+//! | | half-spaces, points, meshes, compounds |
 //! | [`feature`] | [`ContactFeature`]: which features touch, the persistent identity of a contact |
 //! | [`contact`] | [`Contact`], [`ContactGeometry`], [`ContactKinematics`], [`TangentialKinematics`], [`Manifold`] |
-//! | [`narrow_phase`] | [`manifold()`]: all contacts of a pair; [`near_manifold()`]: the same, cheaper for a pair that is likely apart; [`near_manifold_with()`]: the same, faster with a [`PairMemory`] that is kept from step to step; [`evaluate()`] and [`kinematics()`]: one contact at other poses, and its time derivatives; [`kinematics_with_tangential()`]: also its slip and the terms of the slip's derivative, with a [`tangent_basis()`]; [`separation()`]: how far apart a pair is, [`separation_by()`]: by a chosen [`ConvexMethod`]; [`counterpart()`]: the second contact of two vertices that coincide |
-//! | [`query`] | [`distance()`], [`ray_cast()`], [`overlap()`], [`contains()`], [`closest_point()`], and [`QueryScene`]: the same for many bodies |
-//! | [`impact`] | [`time_of_impact()`], [`find_impact()`]: first time at which two moving shapes touch; [`time_of_further_impact()`]: the next impact of shapes that touch already |
+//! | [`narrow_phase`] | [`manifold()`]: all contacts of a pair |
+//! | | [`near_manifold()`]: the same, cheaper for a pair that is likely apart |
+//! | | [`near_manifold_with()`]: the same, faster with a [`PairMemory`] that is kept from step to step |
+//! | | [`evaluate()`], [`kinematics()`]: one contact at other poses, and its time derivatives |
+//! | | [`kinematics_with_tangential()`]: also its slip and the terms of the slip's derivative |
+//! | | [`tangent_basis()`]: the directions in which the slip is measured |
+//! | | [`separation()`]: how far apart a pair is; [`separation_by()`]: by a chosen [`ConvexMethod`] |
+//! | | [`counterpart()`]: the second contact of two vertices that coincide |
+//! | [`query`] | [`distance()`], [`ray_cast()`], [`overlap()`], [`contains()`], [`closest_point()`] |
+//! | | [`QueryScene`]: the same for many bodies |
+//! | [`impact`] | [`time_of_impact()`], [`find_impact()`]: first time at which two moving shapes touch |
+//! | | [`time_of_further_impact()`]: the next impact of shapes that touch already |
 //! | [`clearance`] | the tolerances, each relative to the size of the pair |
 //! | [`bounding`] | [`Aabb`], [`aabb_of`], [`swept_aabb`]: boxes around still and moving shapes |
 //! | [`broad_phase`] | [`BroadPhase`], chosen by [`BroadPhaseMethod`]: which pairs may touch |
@@ -47,7 +57,8 @@
 //! | word | meaning |
 //! |---|---|
 //! | element | a feature as the Minkowski sum of a point, line, circle, plane or the side of a cone with a ball |
-//! | place | a point of contact: a common normal of two features, with its point on each; features are *in one place* (coincide) when nearer to each other than the place tolerance |
+//! | place | a point of contact: a common normal of two features, with its point on each |
+//! | in one place, to coincide | of features: nearer to each other than the place tolerance |
 //! | reach | the largest separation at which contacts are reported, m |
 //! | region | all features that touch around one separating axis |
 //! | part | a convex shape of a compound, or a triangle of a mesh |
@@ -71,20 +82,27 @@
 //! | shape | checks a shape, and stores what queries need: faces, edges, hull | `shape/construction.rs` |
 //! | boxes | bounds each body over an interval of time | `bounding/around_shape.rs` |
 //! | broad phase | finds the pairs whose boxes overlap | `broad_phase` |
-//! | dispatch | chooses the algorithm by the kinds of the two shapes; holds the buffers and the memory of the pair | `narrow_phase/dispatch/pair_memory.rs`, `narrow_phase/dispatch/manifold.rs` |
-//! | parts | splits compounds and meshes into pairs of parts, and keeps the contacts that lie on the whole surface | `narrow_phase/parts/compound_pair.rs`, `narrow_phase/parts/mesh_pair.rs` |
-//! | axis | searches for the axis of largest separation | `narrow_phase/axis/separating_axis.rs`, `narrow_phase/axis/gap.rs`, `narrow_phase/axis/ring.rs` |
-//! | region | collects the features that touch around that axis | `narrow_phase/region/face_pair.rs`, `narrow_phase/region/round_region.rs` |
-//! | terms | evaluates each contact: point, normal, separation, and later its time derivatives | `narrow_phase/terms/evaluate.rs` |
+//! | dispatch | chooses the algorithm by the kinds of the two shapes | `narrow_phase/dispatch/manifold.rs` |
+//! | | holds the buffers and the memory of the pair | `narrow_phase/dispatch/pair_memory.rs` |
+//! | parts | splits compounds and meshes into pairs of parts | `narrow_phase/parts/compound_pair.rs` |
+//! | | keeps the contacts that lie on the whole surface | `narrow_phase/parts/mesh_pair.rs` |
+//! | axis | searches for the axis of largest separation | `narrow_phase/axis/separating_axis.rs` |
+//! | | | `narrow_phase/axis/gap.rs`, `narrow_phase/axis/ring.rs` |
+//! | region | collects the features that touch around that axis | `narrow_phase/region/face_pair.rs` |
+//! | | | `narrow_phase/region/round_region.rs` |
+//! | terms | evaluates each contact: point, normal, separation, derivatives | `narrow_phase/terms/evaluate.rs` |
 //!
 //! The time at which two moving shapes touch:
 //!
 //! | stage | what it does | where |
 //! |---|---|---|
-//! | search | checks arguments, and splits compounds and meshes into pairs of parts | `impact/time_of_impact.rs`, `impact/composite_impact.rs` |
+//! | search | checks arguments | `impact/time_of_impact.rs` |
+//! | | splits compounds and meshes into pairs of parts | `impact/composite_impact.rs` |
 //! | separation | evaluates the separation at a time, with the axis that attains it | `impact/pair_impact.rs` |
-//! | bound | computes how long the pair certainly stays separated along that axis | `impact/impact_bounds.rs`, `impact/quadratic_bound.rs` |
-//! | advancement | advances by that time and repeats, until the separation is no larger than its rounding error | `impact/pair_impact.rs` |
+//! | bound | computes how long the pair certainly stays separated along that axis | `impact/impact_bounds.rs` |
+//! | | | `impact/quadratic_bound.rs` |
+//! | advancement | advances by that time and repeats, | `impact/pair_impact.rs` |
+//! | | until the separation is no larger than its rounding error | `impact/pair_impact.rs` |
 //! | refinement | resolves the time more finely than the rounding of poses would allow | `impact/fine_time.rs` |
 
 mod backend;

@@ -1,5 +1,5 @@
 //! Cost of free rotation: the exact drift, the same from a prepared record, and a step of RK4, over several turns h
-//! |w|. `cargo bench -p polhode-dynamics`. The yardstick is RK4 on (q, L) written by hand; a step of the library's, which
+//! |w|. `cargo bench -p polhode-dynamics`. The yardstick is RK4 on (q, L) written by hand; the library's step, which
 //! serves any system, moves the centre of mass as well. Instruction counts: examples/free_rotation_cost.rs.
 
 use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};

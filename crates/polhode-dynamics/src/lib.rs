@@ -55,7 +55,8 @@
 //! | body | makes inverse mass, inverse inertia and principal axes from mass properties | `rigid_body.rs` |
 //! | state | makes a state from pose and velocity | `rigid_body.rs`, `state.rs` |
 //! | flight record | computes the constants of the rotation | `flight.rs`, `exact_rotation/mod.rs` |
-//! | evaluation | evaluates parabola and rotation at any time, by elliptic functions | `flight.rs`, `exact_rotation/elliptic.rs` |
+//! | evaluation | evaluates parabola and rotation at any time | `flight.rs` |
+//! | | by elliptic functions | `exact_rotation/elliptic.rs` |
 //!
 //! Motion under forces:
 //!
@@ -64,8 +65,9 @@
 //! | fields | gives forces and torques at a time and a state | `field` |
 //! | system | makes the rates of a flat state from them | `free_motion.rs`, `system.rs` |
 //! | method | makes the integrator of a name | `integrator/method.rs` |
-//! | step | evaluates the rates at its stages, estimates its error and repeats with a shorter step | `integrator`, `dop853.rs`, `rk4.rs` |
-//! | dense output | gives the state within the step, and bounds on the motion | `dense_step.rs`, `integrated_motion.rs` |
+//! | step | evaluates the rates at its stages | `integrator`, `rk4.rs` |
+//! | | estimates its error and repeats with a shorter step | `dop853.rs` |
+//! | dense output | gives the state within the step, with bounds | `dense_step.rs`, `integrated_motion.rs` |
 //! | event location | finds when a function of the states changes its sign | `integrator/event.rs` |
 
 pub mod carlson;

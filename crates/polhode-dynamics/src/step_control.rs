@@ -7,7 +7,8 @@
 //!
 //! | attempt | proposed next, of the attempted length h |
 //! |---|---|
-//! | accepted, by error e | `h f(e)`, with the factor `f` of [`Dop853::next_step_factor`]; a step that its limit cut short does not reduce what was proposed before, unless `f(e) < 1` |
+//! | accepted, by error e | `h f(e)`, with the factor `f` of [`Dop853::next_step_factor`] |
+//! | accepted, cut short by its limit | the same, but no less than was proposed before, unless `f(e) < 1` |
 //! | refused, by error e or NaN | `h f(e)`, at most [`REFUSED_FACTOR`] `h` |
 //! | failed: the forces could not be evaluated | [`FAILED_FACTOR`] `h` |
 //!

@@ -17,7 +17,8 @@
 //! | [`volume_integrals`] | volume, centroid and second moment of a solid |
 //! | [`surface_integrals`] | area, centroid and second moment of a surface |
 //! | [`mass_properties`] | [`solid_mass_properties`], [`hollow_mass_properties`] from an [`Amount`] |
-//! | [`primitives`] | box, sphere, ellipsoid, cylinder, cone, capsule, torus, half-ball: solid and hollow in closed form, and as meshes |
+//! | [`primitives`] | box, sphere, ellipsoid, cylinder, cone, capsule, torus, half-ball |
+//! | | solid and hollow in closed form, and as meshes |
 //! | [`frames`] | meshes about their centre of mass, along their principal axes |
 //! | [`monte_carlo`] | [`MonteCarlo`]: seeded estimates with standard errors, to set beside the exact values |
 //! | [`reference_point`] | what the thesis's choices of a reference point cost in accuracy |
@@ -58,12 +59,13 @@
 //!
 //! | stage | what it does | where |
 //! |---|---|---|
-//! | read | recognises the format and reads vertices and triangles | `format.rs`, `obj.rs`, `stl.rs`, `off.rs`, `ply.rs` |
+//! | read | recognises the format | `format.rs` |
+//! | | reads vertices and triangles | `obj.rs`, `stl.rs`, `off.rs`, `ply.rs` |
 //! | mesh | checks that coordinates are finite and that triangles name vertices | `triangle_mesh.rs` |
 //! | diagnosis | finds what keeps the mesh from bounding a solid, and where | `diagnosis.rs`, `topology.rs` |
 //! | repair | mends what can be mended safely, and reports it | `repair.rs`, `weld.rs` |
 //! | solid | accepts a mesh without such defects and with positive volume | `solid_mesh.rs` |
-//! | integrals | sums volume, centroid and second moment about a local point | `volume_integrals.rs`, `moment_sums.rs` |
+//! | integrals | sums volume, centroid, second moment about a local point | `volume_integrals.rs`, `moment_sums.rs` |
 //! | mass properties | scales them by a mass or a density | `mass_properties.rs` |
 //! | convexity | measures how far the solid is from convex | `convexity.rs` |
 //! | decomposition | cuts it into convex parts along planes | `decomposition.rs`, `convex_hull.rs` |

@@ -4,11 +4,14 @@
 //!
 //! | repair | what it does | what it leaves |
 //! |---|---|---|
-//! | [`Weld`](Repair::Weld) | merges vertices within a tolerance | a mesh that welding would not bring nearer to closed |
+//! | [`Weld`](Repair::Weld) | merges vertices within a tolerance | meshes that it would not bring nearer to closed |
 //! | [`DropDuplicates`](Repair::DropDuplicates) | drops repeated triangles | opposite ones: walls without thickness |
-//! | [`DropDegenerate`](Repair::DropDegenerate) | drops triangles that name a vertex twice, swaps those on a line with a neighbour | those on a line without a neighbour to swap with: harmless |
-//! | [`Flip`](Repair::Flip) | makes neighbours run the same way round, then parts face outward and voids inward | surfaces with one side only |
-//! | [`FillHoles`](Repair::FillHoles) | closes holes up to a size by the triangulation of least area | larger ones, those of a tangled rim, and sheets |
+//! | [`DropDegenerate`](Repair::DropDegenerate) | drops triangles that name a vertex twice | |
+//! | | swaps those on a line with a neighbour | those without a neighbour to swap with: harmless |
+//! | [`Flip`](Repair::Flip) | makes neighbours run the same way round | surfaces with one side only |
+//! | | then parts face outward, voids inward | |
+//! | [`FillHoles`](Repair::FillHoles) | closes holes up to a size | larger ones, of a tangled rim, and sheets |
+//! | | by the triangulation of least area | |
 //! | [`DropUnused`](Repair::DropUnused) | drops vertices that no triangle uses | |
 //!
 //! A mesh that bounds a solid keeps its triangles, for only the harmless defects are mended then and welding is for

@@ -3,10 +3,11 @@
 //! | stage | forces | energy |
 //! |---|---|---|
 //! | 1 | no contact vanishes: `w = G f + b = 0`, `f >= 0` | none is added |
-//! | 2 | those vanish that `f_a = argmin sum f` subject to `w >= 0`, `f >= 0` opens (`w_a > 0`): `f = 0`, `w >= 0` there, `w = 0` elsewhere | none is added |
+//! | 2 | `f = 0`, `w >= 0` where contacts vanish (see below), `w = 0` elsewhere | none is added |
 //! | 3 | where that has no solution: `f_a` itself | the power `f.w >= 0` (W) is added |
 //!
-//! with forces `f` (N), accelerations of separation `w` (m/s^2), `G` (1/kg). The forces are those of [`least_force`],
+//! In stage 2 those contacts vanish that `f_a = argmin sum f` subject to `w >= 0`, `f >= 0` opens (`w_a > 0`).
+//! Here `f` are forces (N), `w` accelerations of separation (m/s^2), `G` 1/kg. The forces are those of [`least_force`],
 //! which does not tell what it took for vanishing. Stage 3 is wrong in general (errata E15: a beam over the edge of a
 //! table), and the bound of the report, `sqrt(f.w)`, says by how much.
 //!

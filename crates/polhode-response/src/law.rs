@@ -2,7 +2,8 @@
 //!
 //! | law | rows | asks for |
 //! |---|---|---|
-//! | [`Law::Hold`] | any | `u = 0`, reactions of either sign: a pivot, a joint, tangents that stick. A row may be soft, `u = -c r` (`ContactProblem::soften`): a spring, a servo |
+//! | [`Law::Hold`] | any | `u = 0`, reactions of either sign: a pivot, a joint, tangents that stick |
+//! | the same, soft | any | `u = -c r` (`ContactProblem::soften`): a spring, a servo |
 //! | [`Law::Push`] | 1 | `0 <= r _\|_ u >= 0`: a contact without friction |
 //! | [`Law::Cone`] | 1 to 3 | `\|r_t\| <= mu r_n`, and Coulomb's law: a contact with friction |
 //! | [`Law::Slide`] | 2 | `r_t = -mu r_n`: a contact that slides already |

@@ -13,13 +13,15 @@
 //! | [`complementarity`] | [`ComplementaritySolver`]: `0 <= f _\|_ G f + b >= 0`, exactly |
 //! | [`mod@minimum_norm`] | [`minimum_norm()`]: the least forces among those of the same motion |
 //! | [`least_norm_hold`] | [`least_norm_forces`]: rows that are held by the least forces, at any mass ratio |
-//! | [`sliding`] | [`least_norm_sliding_forces`]: rows that are held while contacts slide, and whether that choice matters |
+//! | [`sliding`] | [`least_norm_sliding_forces`]: rows held while contacts slide, and whether that choice matters |
 //! | [`friction`] | [`solve_friction`](friction::solve_friction): contacts with friction, exact Coulomb |
-//! | [`sparse`] | [`BodySolver`](sparse::BodySolver): contacts and joints in the velocities of bodies, by sparse factors |
+//! | [`sparse`] | [`BodySolver`](sparse::BodySolver): contacts and joints in velocities of bodies, sparse factors |
 //! | [`impact`] | [`ImpactLaw`]: propagation, simultaneous, reflection, poisson, energetic, pulse |
-//! | [`sequential_impulses`] | [`SequentialImpulses`](sequential_impulses::SequentialImpulses): a step in real time, contacts side by side |
+//! | [`sequential_impulses`] | [`SequentialImpulses`](sequential_impulses::SequentialImpulses) |
+//! | | a step in real time, contacts side by side |
 //! | [`impact::friction`] | [`SingleFrictionalImpact`], [`MultipleFrictionalImpact`]: slip, stick, reversal and jam |
-//! | [`mod@heuristic`], [`mod@guesses`] | [`heuristic()`] and [`guesses()`] of the thesis, which tell what they took for vanishing contacts |
+//! | [`mod@heuristic`], [`mod@guesses`] | [`heuristic()`], [`guesses()`] of the thesis |
+//! | | they tell what they took for vanishing contacts |
 //! | [`mod@least_force`] | [`least_force()`]: the linear programme of the thesis |
 //! | `census` | with the feature of that name: which method answers each solve, and what the next would have given |
 //! | [`certificate`] | residual and error bound of any answer |
@@ -61,7 +63,7 @@
 //! |---|---|---|
 //! | problem | takes inverse masses and the rows of each constraint | `problem.rs`, `law.rs` |
 //! | Delassus matrix | computes `J M^-1 J^T` | `delassus.rs` |
-//! | active set | finds the rows with forces, from the last ones at first (warm start) | `complementarity/solver.rs`, `complementarity/active_set.rs` |
+//! | active set | finds rows with forces, warm start | `complementarity/solver.rs`, `complementarity/active_set.rs` |
 //! | twice the precision | repeats that where rows nearly depend on each other | `precise.rs` |
 //! | interior point | solves what the active set has not | `interior_point.rs` |
 //! | certificate | computes residual and error bound of the answer | `certificate.rs` |
@@ -72,7 +74,8 @@
 //! | stage | what it does | where |
 //! |---|---|---|
 //! | law | calls the law of a name | `impact/law.rs` |
-//! | impulses | strikes rows by the law, each solve by the active set above | `impact/reflection.rs`, `impact/simultaneous.rs`, `impact/propagation.rs` |
+//! | impulses | strikes rows by the law, each solve by the active set above | `impact/reflection.rs` |
+//! | | | `impact/simultaneous.rs`, `impact/propagation.rs` |
 //! | end | checks that no row approaches, and computes the change of energy | `impact/finish.rs` |
 //! | outcome | returns impulses, status and energy | `impact/outcome.rs` |
 //!
@@ -81,10 +84,11 @@
 //! | stage | what it does | where |
 //! |---|---|---|
 //! | groups | parts contacts that do not move each other | `impact/friction/multiple.rs` |
-//! | one contact | follows its slip, stick, reversal and jam as the normal impulse grows | `impact/friction/single.rs`, `impact/friction/path.rs` |
-//! | several | chooses normal velocities, solves cone problems, and keeps the energy from rising | `impact/friction/simultaneous.rs` |
+//! | one contact | follows slip, stick, reversal and jam | `impact/friction/single.rs`, `impact/friction/path.rs` |
+//! | several | chooses normal velocities, solves cone problems | `impact/friction/simultaneous.rs` |
+//! | | keeps the energy from rising | `impact/friction/simultaneous.rs` |
 //! | or one at a time | strikes them in order | `impact/friction/sequence.rs` |
-//! | outcome | returns impulses, works, status and energy | `impact/friction/multiple_outcome.rs`, `impact/friction/outcome.rs` |
+//! | outcome | impulses, works, status, energy | `impact/friction/multiple_outcome.rs`, `impact/friction/outcome.rs` |
 
 #[cfg(feature = "census")]
 pub mod census;

@@ -12,7 +12,8 @@ use std::time::Instant;
 
 fn main() -> Result<(), Box<dyn Error>> {
     println!(
-        "scene,bodies,steps,prepared_s,first_s,median_s,most_of_99_s,largest_s,first,median,most_of_99,largest,residual,end"
+        "scene,bodies,steps,prepared_s,first_s,median_s,most_of_99_s,largest_s,\
+         first,median,most_of_99,largest,residual,end"
     );
     for path in std::env::args().skip(1) {
         measure(Path::new(&path))?;

@@ -48,7 +48,8 @@
 //! | stage | what it does | where |
 //! |---|---|---|
 //! | read | reads the file, up to a largest length | `load.rs`, `read.rs` |
-//! | document | parses the text and values set from outside, and keeps the place of every key | `document/mod.rs`, `document/tree.rs`, `document/overrides.rs`, `document/repair.rs` |
+//! | document | parses the text | `document/mod.rs`, `document/repair.rs` |
+//! | | adds values set from outside, and keeps the place of every key | `document/overrides.rs`, `document/tree.rs` |
 //! | format | turns keys into plain data | `format/scene.rs` |
 //! | build | makes bodies, forces and method through the constructors that check them | `build/scene.rs` |
 //! | meshes | reads the mesh files that bodies name | `mesh_file.rs` |

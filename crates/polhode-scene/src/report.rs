@@ -129,10 +129,11 @@ fn springs_json(report: &RunReport, springs: &SpringReport) -> Value {
             "alone": impact.is_alone,
         })
     };
+    let out_of_reach = springs.out_of_reach.map(|[asked, reached]| json!({ "asked": asked, "reached": reached }));
     json!({
         "penetration_asked_m": springs.penetration_asked_m,
         "penetration_m": springs.penetration_m,
-        "restitution_out_of_reach": springs.out_of_reach.map(|[asked, reached]| json!({ "asked": asked, "reached": reached })),
+        "restitution_out_of_reach": out_of_reach,
         "impacts": springs.impacts,
         "worst_restitution": springs.worst_restitution.as_ref().map(impact),
         "first_impacts": springs.first_impacts.iter().map(impact).collect::<Vec<_>>(),
@@ -179,7 +180,11 @@ fn crowded_json(report: &RunReport) -> Value {
 
 /// What was tolerated or chosen; times in s.
 fn occurrences_json(occurrences: &[Occurrence]) -> Value {
-    let one = |Occurrence { what, count, first_s, last_s, .. }: &Occurrence| json!({ "what": what, "count": count, "first_s": first_s, "last_s": last_s });
+    let one = |Occurrence { what, count, first_s, last_s, .. }: &Occurrence| {
+        json!({
+            "what": what, "count": count, "first_s": first_s, "last_s": last_s
+        })
+    };
     occurrences.iter().map(one).collect()
 }
 

@@ -11,7 +11,8 @@
 //! | [`pose`] | [`Pose`]: rotation and translation of one frame in another |
 //! | [`velocity`] | [`Velocity`] of a body, velocity of its points |
 //! | [`unit_vector`] | [`UnitVector`]: a direction |
-//! | [`motion`] | [`Motion`]: a pose as a function of time, with bounds; [`Still`], [`ConstantVelocity`], [`ConstantScrew`], [`SteadyFlight`] |
+//! | [`motion`] | [`Motion`]: a pose as a function of time, with bounds |
+//! | | [`Still`], [`ConstantVelocity`], [`ConstantScrew`], [`SteadyFlight`]: motions in closed form |
 //! | [`curve`] | [`Curve`](curve::Curve): a curve by arc length, with the place nearest to a point |
 //! | [`inertia`] | [`Inertia`]: a valid rotational inertia and its algebra |
 //! | [`principal_axes`] | eigen-decomposition of symmetric 3x3 matrices |

@@ -53,7 +53,11 @@ impl Series {
         let seen = list.filter(|((group, ..), values)| {
             *group == "energy" || (has_line(values) && values.iter().any(|&value| value != 0.0))
         });
-        let one = |((group, name, unit), values): (&(&str, &str, &str), &Vec<f64>)| json!({ "group": group, "name": name, "unit": unit, "values": text::base64_f64(values) });
+        let one = |((group, name, unit), values): (&(&str, &str, &str), &Vec<f64>)| {
+            json!({
+                "group": group, "name": name, "unit": unit, "values": text::base64_f64(values)
+            })
+        };
         Value::Array(seen.map(one).collect())
     }
 }

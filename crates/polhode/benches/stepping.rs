@@ -8,8 +8,8 @@
 //! | `snapshot`, `restore`: 30 boxes slide | bodies in motion as plain data, and back |
 //! | `crowded bounces` | the time steps of a stretch in which events crowd: balls that bounce in a corner |
 //! | `stepped: 5 x 5 stacks, a step` | one step of tier `stepped`, contact search and impulses included |
-//! | `stepped: rough pyramid, a step` | the same of 55 cubes with friction, in the velocities of bodies, while they stand |
-//! | `fast: rough pyramid, 16 steps` | the same pyramid in tier `fast`, made and stepped from its start, before it rests |
+//! | `stepped: rough pyramid, a step` | the same of 55 cubes with friction that stand, in the velocities of bodies |
+//! | `fast: rough pyramid, 16 steps` | the same pyramid in tier `fast`, from its start, before it rests |
 //! | `fast: chain of 200, 16 steps` | rods on ball joints that fall from the horizontal: two colours of joints |
 //! | `fast: net of 196, 16 steps` | bodies on ball joints in a square net, 378 joints that close loops: more colours |
 

@@ -87,25 +87,28 @@
 //! | scene | collects bodies, forces and method, and checks them | `scene/builder.rs` |
 //! | settings | completes the method by the defaults of its tier | `scene/settings.rs` |
 //! | model | puts bodies into their moving frames, makes force fields | `model` |
-//! | findings | chooses the integrator; measures whether the motion is planar | `plan/free_method.rs`, `plan/planar.rs` |
+//! | findings | chooses the integrator, tells planar motion | `plan/free_method.rs`, `plan/planar.rs` |
 //! | plan | decides which effects are simulated, and says why | `plan/decisions.rs` |
-//! | simulation | makes the tier, and lets it advance to a time or to the next event | `run/simulation.rs`, `tier/mod.rs` |
+//! | simulation | makes the tier, and lets it advance to a time or event | `run/simulation.rs`, `tier/mod.rs` |
 //! | first instant | finds the contacts of the start and decides which are active | `accurate/start.rs` |
 //! | free flight | makes a flight record of each body under gravity alone | `accurate/motions.rs` |
-//! | step | integrates each island under its contact forces, or by the scene's integrator | `accurate/constrained_stepping.rs`, `accurate/free_stepping.rs` |
-//! | forces of a stage | assembles the rows of contacts and pivots and solves for their forces | `accurate/system.rs`, `rows/assembly.rs` |
+//! | step | integrates each island, held or free | `accurate/constrained_stepping.rs`, `accurate/free_stepping.rs` |
+//! | forces of a stage | assembles rows of contacts and pivots, and solves | `accurate/system.rs`, `rows/assembly.rs` |
 //! | event location | finds the first change of contacts in the step | `accurate/locate.rs` |
-//! | search for impacts | finds pairs whose swept boxes overlap, and their first impacts | `collision/boxes.rs`, `accurate/impact_search.rs` |
+//! | search for impacts | finds swept boxes that overlap; impacts | `collision/boxes.rs`, `accurate/impact_search.rs` |
 //! | agenda | gives the next end of a step, change of contacts or impact | `accurate/agenda.rs`, `accurate/tier.rs` |
 //! | samples | evaluates the states at the times of output before that | `tier/sampling.rs`, `report/observer.rs` |
 //! | event | ends the islands concerned at that time | `accurate/events.rs` |
-//! | projection | puts active contacts and pivots back in place, positions and velocities | `accurate/projection.rs`, `solve/projection.rs` |
+//! | projection | puts active contacts and pivots back in place | `accurate/projection.rs` |
+//! | | positions, then velocities | `solve/projection.rs` |
 //! | impact | detects contacts, and strikes those that approach | `accurate/resolve.rs`, `solve/impact.rs` |
 //! | hold | decides which contacts are active, and which bodies rest | `accurate/hold.rs`, `accurate/resolve.rs` |
-//! | crowded events | advances an island by time steps where events follow each other too closely | `accurate/crowding.rs`, `time_stepping` |
+//! | crowded events | advances an island by time steps where events crowd | `accurate/crowding.rs`, `time_stepping` |
 //! | ledger | books energy and momentum of steps, impacts and projections | `accounting/books.rs` |
-//! | certificate | records penetrations and projections against the promise of the tier | `accounting/measures.rs`, `tier/promise.rs` |
-//! | report | puts outcome, plan, ledger, certificate and warnings together | `run/simulation.rs`, `accounting/mod.rs`, `report/run_report.rs` |
+//! | certificate | records penetrations and projections | `accounting/measures.rs` |
+//! | | compares them with the promise of the tier | `tier/promise.rs` |
+//! | report | puts outcome, plan, ledger, certificate and warnings together | `report/run_report.rs` |
+//! | | | `run/simulation.rs`, `accounting/mod.rs` |
 //!
 //! The tiers `stepped` and `thesis` (`stepped/engine.rs`, `thesis/engine.rs`) share all but the stages in `accurate`.
 //!
@@ -115,12 +118,14 @@
 //!
 //! | room | holds |
 //! |---|---|
-//! | [`mod@error`], [`mod@prelude`] | [`SimulationError`]; besides it [`SceneError`], [`ActionError`], [`SnapshotError`]; what most programs name, for one `use` |
+//! | [`mod@error`] | [`SimulationError`], [`SceneError`], [`ActionError`], [`SnapshotError`] |
+//! | [`mod@prelude`] | what most programs name, for one `use` |
 //! | `identity` | what bodies, joints and contacts are called |
-//! | [`mod@report`] | what a run tells: [`RunReport`], [`Ledger`], [`Certificate`], [`Event`], [`Frame`], [`Observer`] |
-//! | [`mod@scene`] | [`Scene`], [`Body`], [`Geometry`]; materials, forces, prescribed motions, methods, and the list of tiers |
+//! | [`mod@report`] | what a run tells: [`RunReport`], [`Ledger`], [`Certificate`], |
+//! | | [`Event`], [`Frame`], [`Observer`] |
+//! | [`mod@scene`] | [`Scene`], [`Body`], [`Geometry`]; materials, forces, motions, methods, the list of tiers |
 //! | `snapshot` | [`Snapshot`]: a simulation at one time as bytes |
-//! | `constraint` | what holds bodies together: kinds of joints, their rows, coordinates and stops; location of events |
+//! | `constraint` | what holds bodies together: kinds of joints, their rows, coordinates, stops; times of events |
 //! | `model` | bodies in their moving frames, and the forces on them |
 //! | `collision` | boxes and contacts of pairs |
 //! | `joints` | the joints of a model: whom they hold, what acts along their coordinates |

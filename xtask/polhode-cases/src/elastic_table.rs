@@ -160,10 +160,14 @@ fn section(drops: &[KeptDrop]) -> Result<String, ElasticError> {
     let Reached { entries, reached } = Reached::of(drops)?;
     Ok(format!(
         "{HEADING}
-Contact time (first to last touch, in units of `2 H/c_p`), impulse (of `m v`) and effective restitution (velocity up over velocity
-down) for nu = 0.3, from meshes of 200 to {most} elements: the limit by Richardson extrapolation with the observed order, its
-estimated error, that order, and the digits that hold, `-log10` of the relative error. Four digits are reached by {reached} of {entries}
-entries. `cargo xtask elastic` makes this section (the finest meshes take most of its time); the means of all meshes are in
+Contact time (first to last touch, in units of `2 H/c_p`), impulse (of `m v`) and effective restitution (velocity up \
+over velocity
+down) for nu = 0.3, from meshes of 200 to {most} elements: the limit by Richardson extrapolation with the observed \
+order, its
+estimated error, that order, and the digits that hold, `-log10` of the relative error. Four digits are reached by \
+{reached} of {entries}
+entries. `cargo xtask elastic` makes this section (the finest meshes take most of its time); the means of all meshes \
+are in
 `{RECORD}`, and `cargo xtask verify --only \"elastic body\"` makes some of them again.
 
 | W/H | tilt, degrees | contact time | order | digits | impulse | order | digits | restitution | order | digits |

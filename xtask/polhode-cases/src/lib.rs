@@ -5,7 +5,8 @@
 //! | [`cases`] | the cases, one file per group |
 //! | [`row`] | one result |
 //! | [`mod@reference`] | the values that cases are compared with |
-//! | [`mod@cargo`], [`snapshot_environment`] | programs that a case builds and runs, and what insta is told by its environment |
+//! | [`mod@cargo`] | programs that a case builds and runs |
+//! | [`snapshot_environment`] | what insta is told by its environment |
 //! | [`elastic_table`] | the command: impacts of elastic rectangles, and to how many digits |
 //! | [`rigid_ipc`] | the command: scenes of the Rigid IPC suite in our format |
 //! | [`scene_units`] | a scene file in other units |

@@ -41,7 +41,10 @@ macro_rules! value_from {
         })*
     };
 }
-value_from!(Flag from bool, Count from u64, Number from f64, Flags from Vec<bool>, Numbers from Vec<f64>, Text from &str, Text from String);
+value_from!(
+    Flag from bool, Count from u64, Number from f64, Flags from Vec<bool>, Numbers from Vec<f64>, Text from &str,
+    Text from String
+);
 
 impl<const N: usize> From<[f64; N]> for Value {
     fn from(numbers: [f64; N]) -> Self {

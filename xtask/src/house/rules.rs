@@ -5,7 +5,8 @@ use super::one_dependency;
 use super::rust_source::RustSource;
 use super::violation::Violation;
 
-/// Longest line, columns; `rustfmt` keeps to it where it can break a line, which it does not in comments and texts.
+/// Longest line, columns; `rustfmt` keeps to it where it can break a line, which it does not in comments, texts and
+/// macros.
 pub(super) const LONGEST_LINE: usize = 120;
 /// Longest file, lines.
 const LONGEST_FILE: usize = 700;
@@ -43,7 +44,7 @@ impl Rule {
 /// All rules.
 pub(super) const ALL: &[Rule] = &[
     Rule { name: "every file begins with module docs", find: module_docs },
-    Rule { name: "comments of at most 120 columns", find: comment_length },
+    Rule { name: "lines of at most 120 columns", find: line_length },
     Rule { name: "files of at most 700 lines", find: file_length },
     Rule { name: "functions of at most 70 lines", find: function_length },
     Rule { name: "the core prints nothing", find: printing },
@@ -64,13 +65,10 @@ fn module_docs(source: &RustSource) -> Vec<Violation> {
     }
 }
 
-/// Lines of comments that are too long, tables apart: a row of a table is one line.
-fn comment_length(source: &RustSource) -> Vec<Violation> {
-    let is_text =
-        |line: &&String| line.trim_start().starts_with("//") && !line.contains("//! |") && !line.contains("/// |");
-    let lines = source.text().iter().enumerate().filter(|(_, line)| is_text(line));
-    let lines =
-        lines.map(|(number, line)| (number, line.chars().count())).filter(|(_, columns)| *columns > LONGEST_LINE);
+/// Lines that are too long: of code, comments, texts and tables alike.
+fn line_length(source: &RustSource) -> Vec<Violation> {
+    let lines = source.text().iter().map(|line| line.chars().count()).enumerate();
+    let lines = lines.filter(|(_, columns)| *columns > LONGEST_LINE);
     lines
         .map(|(number, columns)| {
             Violation::at_line(source, number, format!("has {columns} columns, more than {LONGEST_LINE}: break it"))
@@ -295,6 +293,13 @@ mod tests {
             const fn g() -> f64 { 1e-9 }\nlet h = 1e9;\n\
             impl Default for S {\n    fn default() -> Self {\n        Self { a: 1e-9 }\n    }\n}\nlet i = 1e-9;\n";
         assert_eq!(lines_found(bare_epsilons, text), ["2", "10", "11", "18"]);
+    }
+
+    #[test]
+    fn every_line_has_at_most_120_columns() {
+        let long = "x".repeat(LONGEST_LINE - 4);
+        let text = format!("//! {long}\n//! | {long} |\n    {long}\n/// {long}y\nlet t = \"{long}\";\n");
+        assert_eq!(lines_found(line_length, &text), ["2", "4", "5"]);
     }
 
     #[test]

@@ -31,7 +31,8 @@ const WRITE: &str = "differs: run `cargo xtask licences` and commit the file";
 const HEAD: &str = "\
 polhode is under the licence in LICENSE. What follows are the licences of other software that a wheel of it contains, \
 on one platform or
-another: crates that are compiled into it, the viewer of its pages, and the standard library of Rust. Where a crate may be used under
+another: crates that are compiled into it, the viewer of its pages, and the standard library of Rust. Where a crate \
+may be used under
 one of several licences, this is the one that is chosen. Made by `cargo xtask licences`.
 ";
 /// The licence of Rust's own library.

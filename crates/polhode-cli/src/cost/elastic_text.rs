@@ -43,7 +43,11 @@ impl ElasticBeside {
     /// Everything as JSON.
     pub(super) fn json(&self) -> Value {
         let drop = &self.drop;
-        let named = |[time, impulse, restitution]: [f64; 3]| json!({ "contact_time_s": time, "impulse_n_s": impulse, "restitution": restitution });
+        let named = |[time, impulse, restitution]: [f64; 3]| {
+            json!({
+                "contact_time_s": time, "impulse_n_s": impulse, "restitution": restitution
+            })
+        };
         let meshes = self.meshes.iter().map(|row| {
             let mut value = named(self.whole(row));
             value["elements"] = json!(row.elements);

@@ -8,7 +8,8 @@ use std::fmt::Write as _;
 const SCRIPT: &str = r#"document.querySelectorAll("th").forEach((th, column) => th.addEventListener("click", () => {
   const body = document.querySelector("tbody"), up = th.dataset.up !== "1";
   th.dataset.up = up ? "1" : "0";
-  const key = row => column > 1 && row.cells.length < 4 ? Infinity : row.cells[column].dataset.value ?? row.cells[column].textContent;
+  const key = row => column > 1 && row.cells.length < 4 ? Infinity :
+    row.cells[column].dataset.value ?? row.cells[column].textContent;
   const order = (a, b) => a - b || (isNaN(a - b) ? String(a).localeCompare(String(b)) : 0);
   [...body.rows].sort((a, b) => (up ? 1 : -1) * order(key(a), key(b))).forEach(row => body.append(row));
 }));"#;

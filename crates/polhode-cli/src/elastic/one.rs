@@ -170,7 +170,13 @@ impl Dropped {
             let limit = self.limit(quantity)?;
             let means: Vec<Value> = self.study.meshes.iter().map(|drops| json!(drops.mean(quantity).value)).collect();
             let errors: Vec<Value> = self.study.meshes.iter().map(|drops| json!(drops.mean(quantity).error)).collect();
-            let value = json!({"meshes": means, "standard_errors": errors, "limit": limit.value, "error": limit.error, "order": limit.order});
+            let value = json!({
+                "meshes": means,
+                "standard_errors": errors,
+                "limit": limit.value,
+                "error": limit.error,
+                "order": limit.order
+            });
             quantities.insert(key(quantity).to_owned(), value);
         }
         let cells: Vec<Value> =

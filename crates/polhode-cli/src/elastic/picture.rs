@@ -80,7 +80,8 @@ impl Scenery {
         let mut svg = format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {WIDTH:.0} {height:.0}\" \
              font-family=\"sans-serif\" font-size=\"13\">\n\
-             <style>.ink{{fill:#333}}.line{{stroke:#333}}@media(prefers-color-scheme:dark){{.ink{{fill:#ddd}}.line{{stroke:#ddd}}}}</style>\n\
+             <style>.ink{{fill:#333}}.line{{stroke:#333}}\
+             @media(prefers-color-scheme:dark){{.ink{{fill:#ddd}}.line{{stroke:#ddd}}}}</style>\n\
              <g stroke=\"#555\" stroke-width=\"0.5\" stroke-linejoin=\"round\">\n"
         );
         for (quad, stress) in self.quads.iter().zip(&self.stresses) {

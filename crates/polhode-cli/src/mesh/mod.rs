@@ -107,7 +107,11 @@ fn mended(mesh: TriangleMesh, args: &MeshRepairArgs) -> Result<(TriangleMesh, Op
 }
 
 fn repairs_json(report: &RepairReport) -> Value {
-    let step = |step: &polhode::mesh::RepairStep| json!({"repair": step.repair.name(), "count": step.count, "triangles": step.triangles});
+    let step = |step: &polhode::mesh::RepairStep| {
+        json!({
+            "repair": step.repair.name(), "count": step.count, "triangles": step.triangles
+        })
+    };
     json!({
         "steps": report.steps.iter().map(step).collect::<Vec<_>>(),
         "volume_before_m3": report.volume_before,

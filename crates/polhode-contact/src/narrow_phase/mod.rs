@@ -4,10 +4,10 @@
 //!
 //! | folder | holds |
 //! |---|---|
-//! | `dispatch` | the entry points, which choose the algorithm by the kinds of the shapes, and what is kept from step to step |
+//! | `dispatch` | the entry points: the algorithm by the kinds of the shapes, and what is kept from step to step |
 //! | `parts` | compounds and triangle meshes: the results of pairs of their parts, combined |
 //! | `pair` | two shapes without parts: their separation and their contacts |
-//! | `region` | the region in which two bodies touch: two faces that lie on each other, or the neighbourhood of a common normal |
+//! | `region` | where two bodies touch: two faces on each other, or the neighbourhood of a common normal |
 //! | `axis` | the axis of largest separation of two bodies |
 //! | `terms` | one contact of named features: its geometry and the time derivatives of its separation |
 //! | `common_normal` | the pairs of points of two elements whose connecting line is normal to both |

@@ -9,7 +9,7 @@
 //! | [`scene`] | [`QueryScene`]: queries against many bodies, with a tree |
 //! | `piece`, `pieces` | the cores with a radius that a shape consists of, and the search over them |
 //! | `found`, `roots` | the result for two cores; bisection |
-//! | `signed_distance`, `sweep`, `lines` | the distance of a core from a point, from a segment or circle, and of two segments |
+//! | `signed_distance`, `sweep`, `lines` | distances of a core from a point, segment or circle, and of two segments |
 //! | `gjk`, `simplex`, `polytopes`, `nearest_pair`, `curved` | the distance of two cores that are apart |
 //! | `penetration`, `spanned_feature` | the depth of two cores that overlap, along the axes of the narrow phase |
 //! | `error` | why a query has no result |

@@ -9,7 +9,8 @@
 //! |---|---|
 //! | `kinds` | [`Shape`] and [`Compound`], which contain each other |
 //! | `construction`, `compound`, `solid` | constructors of shapes, and shapes moved within a body |
-//! | [`polyhedron`], `topology`, `hull`, `polyhedron_construction` | convex polyhedra: the type, from faces, from points, all constructors |
+//! | [`polyhedron`] | convex polyhedra |
+//! | `topology`, `hull`, `polyhedron_construction` | the same from faces, from points, all constructors |
 //! | `triangle_mesh`, `triangle`, `point_cloud` | triangles and points |
 //! | `sphere`, `half_space`, `capsule`, `cylinder`, `cone`, `torus` | the shape of that name |
 //! | `circle`, [`round`], `support`, `extent` | circles, shapes made of them, support points, extents of shapes |

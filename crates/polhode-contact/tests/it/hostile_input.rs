@@ -286,7 +286,8 @@ proptest! {
     fn any_poses(place in prop::array::uniform3(-3.0..3.0_f64), turn in prop::array::uniform3(-4.0..4.0_f64),
         snap in 0..3, exponent in -12..12_i32, reach in -1.0..2.0_f64, kinds in (0..9_usize, 0..9_usize)) {
         // Snapped poses give touching, aligned and coincident features.
-        let snapped = |v: [f64; 3], to: f64| DVec3::from_array(v.map(|c| if snap > 0 { (c / to).round() * to } else { c }));
+        let snap_to = |c: f64, to: f64| if snap > 0 { (c / to).round() * to } else { c };
+        let snapped = |v: [f64; 3], to: f64| DVec3::from_array(v.map(|c| snap_to(c, to)));
         let turn = Rotation::from_rotation_vector(
             if snap == 2 { DVec3::ZERO } else { snapped(turn, std::f64::consts::FRAC_PI_4) });
         let place = snapped(place, 0.5) * 10_f64.powi(exponent.max(0));

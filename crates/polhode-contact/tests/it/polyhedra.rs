@@ -124,8 +124,12 @@ proptest! {
     /// Whatever points come (many on a coarse lattice, so that coplanar, collinear and equal points abound), the hull
     /// is a proper polyhedron that contains them, or an error; never a panic.
     #[test]
-    fn hull_of_anything(points in prop::collection::vec((0_i32..5, 0_i32..5, 0_i32..4), 0..40), scale in prop::sample::select(vec![1e-9, 1.0, 1e7])) {
-        let points: Vec<DVec3> = points.into_iter().map(|(x, y, z)| DVec3::new(f64::from(x), f64::from(y), f64::from(z)) * scale).collect();
+    fn hull_of_anything(
+        points in prop::collection::vec((0_i32..5, 0_i32..5, 0_i32..4), 0..40),
+        scale in prop::sample::select(vec![1e-9, 1.0, 1e7]),
+    ) {
+        let point = |(x, y, z)| DVec3::new(f64::from(x), f64::from(y), f64::from(z)) * scale;
+        let points: Vec<DVec3> = points.into_iter().map(point).collect();
         if let Ok(p) = ConvexPolyhedron::from_points(&points) {
             check(&p);
         } else {

@@ -2,7 +2,8 @@
 //!
 //! | name | type | order | forces may depend on |
 //! |---|---|---|---|
-//! | `explicit-euler`, `semi-implicit-euler`, `implicit-gyroscopic` | [`ExplicitEuler`], [`SemiImplicitEuler`], [`ImplicitGyroscopic`] | 1 | anything |
+//! | `explicit-euler`, `semi-implicit-euler` | [`ExplicitEuler`], [`SemiImplicitEuler`] | 1 | anything |
+//! | `implicit-gyroscopic` | [`ImplicitGyroscopic`] | 1 | anything |
 //! | `rk4`, `rkmk4`, `cf4` | [`Rk4`], [`Rkmk4`], [`Cf4`] | 4 | anything |
 //! | `splitting`, `splitting-4`, `splitting-6` | [`Splitting`] | 2, 4, 6 | poses, time |
 //! | `moser-veselov`, `moser-veselov-4` | [`MoserVeselov`], [`MoserVeselov4`] | 2, 4 | poses, time |

@@ -122,7 +122,8 @@ proptest! {
         start in -3.0..3.0f64, length in 0.0..5.0f64, parts in prop::collection::vec(0.0..1.0f64, 12),
     ) {
         let body = turned_body(1.0, i, axes);
-        let state = BodyState { pose: Pose::new(r, v), linear_velocity: v * 2.0, angular_momentum: l * i.min_element() * 2.0 };
+        let angular_momentum = l * i.min_element() * 2.0;
+        let state = BodyState { pose: Pose::new(r, v), linear_velocity: v * 2.0, angular_momentum };
         let flight = Flight::new(&body, 0.0, &state, g * 9.81);
         let bounds = flight.bounds(start, start + length);
         let samples: Vec<_> = parts.iter().map(|p| {

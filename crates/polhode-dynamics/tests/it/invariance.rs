@@ -36,7 +36,9 @@ proptest! {
 
     /// Turning the world turns the answer.
     #[test]
-    fn world_has_no_direction(i in moments(2.0), l in direction(), r in rotation(), w in rotation(), f in -1.0..1.0f64) {
+    fn world_has_no_direction(
+        i in moments(2.0), l in direction(), r in rotation(), w in rotation(), f in -1.0..1.0f64,
+    ) {
         let h = short_time(i, l, f);
         let turned = drift(i, w * r, w.rotate(l), h);
         prop_assert!(turned.angle_to(w * drift(i, r, l, h)) < TOLERANCE);
@@ -52,7 +54,8 @@ proptest! {
         let q = drift(cyclic(i), Rotation::IDENTITY, cyclic(l), h).quaternion();
         prop_assert!(distance(q, DQuat::from_xyzw(reference.y, reference.z, reference.x, reference.w)) < TOLERANCE);
         let swapped = drift(DVec3::new(i.y, i.x, i.z), Rotation::IDENTITY, DVec3::new(l.y, l.x, -l.z), h).quaternion();
-        prop_assert!(distance(swapped, DQuat::from_xyzw(reference.y, reference.x, -reference.z, reference.w)) < TOLERANCE);
+        let expected = DQuat::from_xyzw(reference.y, reference.x, -reference.z, reference.w);
+        prop_assert!(distance(swapped, expected) < TOLERANCE);
     }
 
     /// In a mirror angular momentum, an axial vector, turns round along the plane, and so does the rotation.
@@ -61,7 +64,8 @@ proptest! {
         let h = 5.0 * short_time(i, l, f);
         let reference = drift(i, Rotation::IDENTITY, l, h).quaternion();
         let mirrored = drift(i, Rotation::IDENTITY, DVec3::new(l.x, -l.y, -l.z), h).quaternion();
-        prop_assert!(distance(mirrored, DQuat::from_xyzw(reference.x, -reference.y, -reference.z, reference.w)) < TOLERANCE);
+        let expected = DQuat::from_xyzw(reference.x, -reference.y, -reference.z, reference.w);
+        prop_assert!(distance(mirrored, expected) < TOLERANCE);
     }
 
     /// Twice the momentum in half the time is the same turn.

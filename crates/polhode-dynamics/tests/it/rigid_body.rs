@@ -70,7 +70,9 @@ proptest! {
 
     /// Velocity to state and back; energy as `(m v^2 + w . L)/2`; world inverse of inertia as `R I^-1 R^T`.
     #[test]
-    fn velocity_and_state_agree(i in moments(2.0), axes in rotation(), r in rotation(), v in direction(), w in direction()) {
+    fn velocity_and_state_agree(
+        i in moments(2.0), axes in rotation(), r in rotation(), v in direction(), w in direction(),
+    ) {
         let body = turned_body(0.7, i, axes);
         let velocity = Velocity::new(v, w);
         let state = body.at_velocity(Pose::new(r, DVec3::new(1.0, 2.0, 3.0)), velocity);

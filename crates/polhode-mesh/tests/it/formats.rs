@@ -214,7 +214,10 @@ proptest! {
     /// Any coordinates and any triangles, in every exact encoding: the corners have the same bits.
     #[test]
     fn round_trip(
-        points in prop::collection::vec(prop::array::uniform3(prop::num::f64::NORMAL | prop::num::f64::SUBNORMAL), 3..40),
+        points in prop::collection::vec(
+            prop::array::uniform3(prop::num::f64::NORMAL | prop::num::f64::SUBNORMAL),
+            3..40,
+        ),
         picks in prop::collection::vec(prop::array::uniform3(any::<prop::sample::Index>()), 1..40),
     ) {
         let vertices: Vec<DVec3> = points.iter().map(|&p| DVec3::from_array(p)).collect();

@@ -104,7 +104,9 @@ proptest! {
     /// Words of the format in any order: a mesh or an error, and the same when the lines end otherwise.
     #[test]
     fn any_words(words in prop::collection::vec(
-        prop::sample::select(vec!["v", "f", "1", "2", "-1", "1/1", "\n", "\n", "\\\n", "0.5", "1e400", "#", "vt", "g", "x"]),
+        prop::sample::select(vec![
+            "v", "f", "1", "2", "-1", "1/1", "\n", "\n", "\\\n", "0.5", "1e400", "#", "vt", "g", "x",
+        ]),
         0..60,
     )) {
         let text = words.join(" ");

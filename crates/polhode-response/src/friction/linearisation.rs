@@ -7,7 +7,8 @@
 //! |---|---|---|---|
 //! | open | `r / rho` | none: `dr = -r` | |
 //! | stick | `u` | `dr` | `du = -u` |
-//! | slide | `u_n`, `(r_t - mu w t/\|t\|) / rho` | `dr_n` and `dr_p` across the slip | `du_n = -u_n`, `du_p + c dr_p = -r_p / (rho k)` |
+//! | slide | `u_n` | `dr_n` | `du_n = -u_n` |
+//! | slide | `(r_t - mu w t/\|t\|) / rho` | `dr_p` across the slip | `du_p + c dr_p = -r_p / (rho k)` |
 //!
 //! Rotations that are resisted have the rows of stick or slide of their own, `mu_i` in the place of `mu`.
 //!

@@ -7,7 +7,7 @@
 //! |---|---|
 //! | [`problem`] | [`Ask`], [`RowProblem`], [`Memory`] |
 //! | [`way`] | which way a problem of a size goes: all thresholds |
-//! | `without_friction` | rows that push and hold: the active set, beside trees of joints or with the matrix of all rows |
+//! | `without_friction` | rows that push and hold: the active set, beside trees of joints or with all rows |
 //! | [`held`] | rows that hold, by the reactions of least norm |
 //! | [`step`] | blocks with friction over a time step |
 

@@ -13,13 +13,14 @@
 //! | system | assembles, factorises, and solves for what rounding has left | `system.rs` |
 //! | measure | the one residual of all methods | `iterate.rs` |
 //! | augmented Lagrangian | problems without friction, which are convex | `augmented_lagrangian.rs` |
-//! | interior point | cold start, from the loads of sweeps or from those that would hold everything | `interior_point.rs`, `interior_cone.rs`, `cone_form.rs`, `jordan.rs` |
+//! | interior point | cold start, from the loads of sweeps or those that hold all | `interior_point.rs` |
+//! | | its cones and their algebra | `interior_cone.rs`, `cone_form.rs`, `jordan.rs` |
 //! | semismooth Newton | the end of it, and warm starts | `newton.rs` |
-//! | sweeps | one contact after the other: the size of loads, and a way out where steps of Newton go in circles | `sweeps.rs` |
+//! | sweeps | contact after contact: the size of loads; a way out where Newton goes in circles | `sweeps.rs` |
 //! | path of compliance | where neither comes to the end | `compliance_path.rs`, `compliant_law.rs` |
 //! | smoothing Newton | where the path turns back | `smoothing.rs`, `smoothed_cone.rs` |
 //! | balance | makes forces balance to rounding | `balance.rs` |
-//! | forest | trees of joints, eliminated before all else; what is left beside them | `held_forest.rs`, `forest_passes.rs`, `beside_forest.rs` |
+//! | forest | trees of joints, eliminated first; the rest | `held_forest.rs`, `forest_passes.rs`, `beside_forest.rs` |
 //! | solver | the chain of methods, and what is told of it | `solver.rs`, `solution.rs`, `settings.rs` |
 //!
 //! The residual is the natural map in units of impulse per unit of the largest reaction; what is not reached within

@@ -143,7 +143,8 @@ enum Recipe {
 pub(crate) fn small(sizes: Vec<f64>) -> impl Strategy<Value = Small> {
     let recipe = prop_oneof![
         6 => (0_usize..3, 0_usize..3, prop::array::uniform6(-3_i8..=3)).prop_map(|(a, b, n)| Recipe::Fresh(a, b, n)),
-        3 => (0_usize..14, prop::sample::select(vec![1_i8, -1, 2, -2])).prop_map(|(row, factor)| Recipe::Again(row, factor)),
+        3 => (0_usize..14, prop::sample::select(vec![1_i8, -1, 2, -2]))
+            .prop_map(|(row, factor)| Recipe::Again(row, factor)),
         1 => Just(Recipe::Zero),
     ];
     let constant = (-3_i64..=3, prop::sample::select(vec![1_i64, 1_000_000_000])).prop_map(|(a, b)| a * b);

@@ -193,7 +193,9 @@ proptest! {
             }
             unit[column] = 0.0;
         }
-        let first = FrictionProblem::new(problem.blocks().to_vec(), BlockMatrix::from_dense(&sizes, &dense).unwrap(), problem.constant().to_vec()).unwrap();
+        let (blocks, constant) = (problem.blocks().to_vec(), problem.constant().to_vec());
+        let matrix = BlockMatrix::from_dense(&sizes, &dense).unwrap();
+        let first = FrictionProblem::new(blocks, matrix, constant).unwrap();
         for g in &mut dense {
             *g /= m;
         }

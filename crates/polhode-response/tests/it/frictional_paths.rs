@@ -170,7 +170,8 @@ proptest! {
             let (one, other) = (impact.resolve().unwrap(), turned.resolve().unwrap());
             // An impact may stand at a border, between stick and slip: there the two may differ in kind, not in number.
             let tolerance = 1e-9 * velocity_size(&impact, &one);
-            prop_assert!(difference(apply(one.velocity_after), other.velocity_after) <= tolerance, "{:?} {:?}", one, other);
+            let apart = difference(apply(one.velocity_after), other.velocity_after);
+            prop_assert!(apart <= tolerance, "{:?} {:?}", one, other);
             prop_assert!(difference(apply(one.impulse), other.impulse) <= 1e-9 * size(one.impulse));
         }
     }
@@ -203,7 +204,8 @@ proptest! {
         // Below that the diagram, which takes a difference of works, loses digits.
         e in 0.01..1.0_f64,
     ) {
-        let (k_nn, k_nt, k_tt) = (1.0 + arm.0 * arm.0 / inertia, arm.0 * arm.1 / inertia, 1.0 + arm.1 * arm.1 / inertia);
+        let [k_nn, k_tt] = [arm.0, arm.1].map(|lever| 1.0 + lever * lever / inertia);
+        let k_nt = arm.0 * arm.1 / inertia;
         // Pieces as (length in normal impulse, rate of u_n, rate of u_t, p_t per p_n).
         let sign = if slip > 0.0 { 1.0 } else { -1.0 };
         let rates = |ratio: f64| (k_nn + k_nt * ratio, k_nt + k_tt * ratio, ratio);

@@ -209,7 +209,8 @@ proptest! {
         let settings = MultipleImpactSettings::default();
         let restitution = &structure.restitutions[..];
         let impact = MultipleFrictionalImpact {
-            contacts: &contacts, restitution, stand_for_several: &[], law, single: polhode_response::RestitutionLaw::default(), settings: &settings,
+            contacts: &contacts, restitution, stand_for_several: &[], law,
+            single: polhode_response::RestitutionLaw::default(), settings: &settings,
         };
         let outcome = impact.resolve().unwrap();
         prop_assert_ne!(outcome.status, MultipleImpactStatus::NotSolved);

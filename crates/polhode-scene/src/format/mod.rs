@@ -6,7 +6,8 @@
 //!
 //! | module | holds |
 //! |---|---|
-//! | `scene` | the document: [`SceneFile`], [`OutputEntry`], [`MaterialEntry`], [`PairEntry`], [`NoContactEntry`], [`StartEntry`] |
+//! | `scene` | the document: [`SceneFile`], [`OutputEntry`], [`MaterialEntry`], [`PairEntry`], |
+//! | | [`NoContactEntry`], [`StartEntry`] |
 //! | `method` | [`MethodEntry`] and the members of each knob |
 //! | `penalty` | [`PenaltyEntry`]: springs at contacts |
 //! | `integrator`, `broad_phase`, `tier` | [`IntegratorName`], [`BroadPhaseName`], [`TierName`] |

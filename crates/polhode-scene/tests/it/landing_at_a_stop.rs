@@ -55,7 +55,10 @@ name = "j0"
 type.ball = { bodies = ["b2", "b1"], anchor = [0.25, 0.0, 0.55] }
 [[joints]]
 name = "j1"
-type.hinge = { bodies = ["b3", "b2"], anchor = [0.75, 0.0, 0.55], axis = [-0.04486538694615844, -0.7900471121798082, -0.6114022060726613], angle = { range = [-0.21314598200409005, 0.03195850801827839], restitution = 0.0 } }
+type.hinge.bodies = ["b3", "b2"]
+type.hinge.anchor = [0.75, 0.0, 0.55]
+type.hinge.axis = [-0.04486538694615844, -0.7900471121798082, -0.6114022060726613]
+type.hinge.angle = { range = [-0.21314598200409005, 0.03195850801827839], restitution = 0.0 }
 [[no_contact]]
 bodies = ["b1", "b2", "b3"]
 "#;

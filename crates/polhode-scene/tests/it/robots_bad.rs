@@ -206,7 +206,8 @@ proptest! {
 
     #[test]
     fn changed_files_are_no_panic(which in 0..2_usize, at in 0.0..1.0_f64, word in prop::sample::select(vec![
-        "0", "-1", "1e308", "nan", "\"", "<", "/>", "<link name=\"x\"/>", "<body><joint/></body>", "1 2 3", "", " limited=\"true\"",
+        "0", "-1", "1e308", "nan", "\"", "<", "/>", "<link name=\"x\"/>", "<body><joint/></body>", "1 2 3", "",
+        " limited=\"true\"",
         "world", "post", "fixed", "<joint type=\"ball\"/>", "<frame/>", "type=\"mesh\" mesh=\"a\"",
     ]), length in 0..12_usize) {
         let text = std::fs::read_to_string(shipped(["arm.urdf", "leg.xml"][which])).unwrap();

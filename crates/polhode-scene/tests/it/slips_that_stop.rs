@@ -28,7 +28,14 @@ velocity = [0.07075085437456735, -0.046548747310490975, -0.03276246555197049]
 angular_velocity = [-0.0599958165894511, 0.04867524057140808, 0.03453635902915192]
 [[joints]]
 name = "j0"
-type.cylindrical = { bodies = ["b0"], anchor = [0.0, 0.0, 0.0], axis = [0.7089536524439851, -0.5751815967908159, -0.4081064192088877], angle = { friction = { effort = 3.9050884042818717, breakaway = 5.46712376599462 } }, displacement = { friction = { effort = 4.152369312176836, breakaway = 4.152369312176836 }, stiffness = 37.39677167395592, rest = -0.19340270080745503, damping = 1.4542563228889098 } }
+type.cylindrical.bodies = ["b0"]
+type.cylindrical.anchor = [0.0, 0.0, 0.0]
+type.cylindrical.axis = [0.7089536524439851, -0.5751815967908159, -0.4081064192088877]
+type.cylindrical.angle = { friction = { effort = 3.9050884042818717, breakaway = 5.46712376599462 } }
+type.cylindrical.displacement.friction = { effort = 4.152369312176836, breakaway = 4.152369312176836 }
+type.cylindrical.displacement.stiffness = 37.39677167395592
+type.cylindrical.displacement.rest = -0.19340270080745503
+type.cylindrical.displacement.damping = 1.4542563228889098
 "#;
 
 const LOOP: &str = r#"
@@ -63,16 +70,27 @@ velocity = [0.08439303662664754, -0.2640219200636964, 0.2123538786901184]
 angular_velocity = [-0.25656869211652994, 0.5487736182448416, 0.7842610477738171]
 [[joints]]
 name = "j0"
-type.hinge = { bodies = ["b0"], anchor = [0.7219600692473461, 0.10678100493520265, 0.2578950206175915], axis = [0.25890347785541407, -0.5537674809300516, -0.7913978558340654], angle = { friction = { effort = 7.612487214527439, breakaway = 7.612487214527439 } } }
+type.hinge.bodies = ["b0"]
+type.hinge.anchor = [0.7219600692473461, 0.10678100493520265, 0.2578950206175915]
+type.hinge.axis = [0.25890347785541407, -0.5537674809300516, -0.7913978558340654]
+type.hinge.angle = { friction = { effort = 7.612487214527439, breakaway = 7.612487214527439 } }
 [[joints]]
 name = "j1"
-type.hinge = { bodies = ["b1", "b0"], anchor = [0.052329309633743284, -0.4411356160143822, 0.35640686537972693], axis = [0.25890347785541407, -0.5537674809300516, -0.7913978558340654] }
+type.hinge.bodies = ["b1", "b0"]
+type.hinge.anchor = [0.052329309633743284, -0.4411356160143822, 0.35640686537972693]
+type.hinge.axis = [0.25890347785541407, -0.5537674809300516, -0.7913978558340654]
 [[joints]]
 name = "j2"
-type.hinge = { bodies = ["b2", "b1"], anchor = [-0.6165185285467941, 0.037438676944250286, -0.27740034241881784], axis = [0.25890347785541407, -0.5537674809300516, -0.7913978558340654], angle = { friction = { effort = 3.3567092028468086, breakaway = 4.6993928839855315 } } }
+type.hinge.bodies = ["b2", "b1"]
+type.hinge.anchor = [-0.6165185285467941, 0.037438676944250286, -0.27740034241881784]
+type.hinge.axis = [0.25890347785541407, -0.5537674809300516, -0.7913978558340654]
+type.hinge.angle = { friction = { effort = 3.3567092028468086, breakaway = 4.6993928839855315 } }
 [[joints]]
 name = "j3"
-type.hinge = { bodies = ["b2"], anchor = [0.07165757059775793, 0.5987429694533956, -0.2210173510759817], axis = [0.25890347785541407, -0.5537674809300516, -0.7913978558340654], angle = { friction = { effort = 7.447549643010657, breakaway = 7.447549643010657 } } }
+type.hinge.bodies = ["b2"]
+type.hinge.anchor = [0.07165757059775793, 0.5987429694533956, -0.2210173510759817]
+type.hinge.axis = [0.25890347785541407, -0.5537674809300516, -0.7913978558340654]
+type.hinge.angle = { friction = { effort = 7.447549643010657, breakaway = 7.447549643010657 } }
 "#;
 
 /// Speed of the first body along x at the end, m/s.

@@ -88,7 +88,8 @@ proptest! {
     #[test]
     fn particle(r in vectors(2.0), w in vectors(2.0), m in 0.1..3.0f64) {
         let expected = m * r.cross(w.cross(r));
-        prop_assert!((point_inertia(m, r) * w - expected).length() <= 1e-14 * (1.0 + m * r.length_squared() * w.length()));
+        let error = (point_inertia(m, r) * w - expected).length();
+        prop_assert!(error <= 1e-14 * (1.0 + m * r.length_squared() * w.length()));
     }
 
     /// Nine numbers are an inertia that is positive definite, or an error; none panics.

@@ -44,7 +44,8 @@ proptest! {
         let dust = 10f64.powi(-exponent);
         let heavy = cloud_properties(&cloud);
         let heavy = MassProperties::new(Mass::new(heavy.mass()).unwrap(), DVec3::ZERO, *heavy.inertia());
-        let grain = MassProperties::new(Mass::new(dust).unwrap(), at, Inertia::from_diagonal(DVec3::splat(dust)).unwrap());
+        let grain = Inertia::from_diagonal(DVec3::splat(dust)).unwrap();
+        let grain = MassProperties::new(Mass::new(dust).unwrap(), at, grain);
         let union = heavy.combined(&grain).unwrap();
         let expected = at * (dust / (heavy.mass() + dust));
         prop_assert!((union.center_of_mass() - expected).length() <= 1e-15 * expected.length());

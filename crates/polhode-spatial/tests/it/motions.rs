@@ -180,7 +180,8 @@ proptest! {
                     prop_assert!((now.angular - then.angular).length() <= bounds.angular_acceleration * duration);
                     let path: f64 = (pose.translation - pose_before.translation).length();
                     prop_assert!(path <= bounds.speed * duration + rounding);
-                    prop_assert!(pose.rotation.angle_to(pose_before.rotation) <= bounds.angular_speed * duration + rounding);
+                    let turn = pose.rotation.angle_to(pose_before.rotation);
+                    prop_assert!(turn <= bounds.angular_speed * duration + rounding);
                 }
             }
         }

@@ -31,7 +31,8 @@ proptest! {
         prop_assume!(vector.length() > 1e-6);
         let direction = UnitVector::new(vector).unwrap();
         prop_assert!((direction.get().length() - 1.0).abs() < 4e-16);
-        prop_assert!(direction.get().cross(vector).length() <= 4e-16 * vector.length() && direction.get().dot(vector) > 0.0);
+        prop_assert!(direction.get().cross(vector).length() <= 4e-16 * vector.length());
+        prop_assert!(direction.get().dot(vector) > 0.0);
         prop_assert_eq!(UnitVector::new(vector * 2f64.powi(exponent)).unwrap(), direction);
     }
 }

@@ -15,7 +15,9 @@ proptest! {
     /// The velocity of a point is the rate of change of its position: central difference of the pose, whose error is
     /// of second order in the step.
     #[test]
-    fn velocity_of_a_point_is_a_derivative(pose in poses(3.0), v in vectors(2.0), w in vectors(2.0), p in vectors(2.0)) {
+    fn velocity_of_a_point_is_a_derivative(
+        pose in poses(3.0), v in vectors(2.0), w in vectors(2.0), p in vectors(2.0),
+    ) {
         let velocity = Velocity::new(v, w);
         let at = |t: f64| {
             let turned = Rotation::from_rotation_vector(w * t) * pose.rotation;

@@ -291,7 +291,10 @@ proptest! {
     /// Whatever the last values of the lines, their labels can be read.
     #[test]
     fn labels_of_lines_do_not_overlap(
-        ends in prop::collection::vec(prop_oneof![-1e3..1e3_f64, prop::sample::select(vec![0.0, 1.0, 1e-12, 1e200])], 1..14),
+        ends in prop::collection::vec(
+            prop_oneof![-1e3..1e3_f64, prop::sample::select(vec![0.0, 1.0, 1e-12, 1e200])],
+            1..14,
+        ),
         kind in prop::sample::select(KINDS.to_vec()),
     ) {
         let lines = ends.iter().enumerate().map(|(i, &end)| line(&format!("body {i} {end:.1e} \

@@ -13,7 +13,7 @@
 //! | `engine` | the bodies, and how each moves |
 //! | `agenda` | times of what is due: ends of steps, impacts, renewals of boxes |
 //! | `island` | bodies that move together, and their present step |
-//! | `constrained_step`, `constrained_stepping`, `stage_method` | a step with held contacts, and how it is made: by DOP853 or RK4 over `system` |
+//! | `constrained_step`, `constrained_stepping`, `stage_method` | held contacts: a step by DOP853 or RK4 on `system` |
 //! | `held_forces` | forces of contacts and bilateral constraints at a stage of a step |
 //! | `free_stepping` | a step by the integrator of free motion: that of the scene or of the plan |
 //! | `locate`, `penetration` | location of contact changes: how long the active set is valid |
@@ -22,7 +22,7 @@
 //! | `near_pairs`, `impact_search` | pairs that may meet, and their impacts |
 //! | `instant`, `events` | an event, the affected bodies, and their motion afterwards |
 //! | `resolve`, `hold` | resolution of an instant, and the active contacts |
-//! | `lifting`, `ending_bounces`, `ending_slips` | bodies that pass onto a higher face; ends of bounces and slips that are too small to resolve |
+//! | `lifting`, `ending_bounces`, `ending_slips` | bodies that pass onto a higher face; ends of tiny bounces, slips |
 //! | `jam`, `turning` | impacts without a collision; rotations that friction of rolling and spinning holds |
 //! | `joint_breaks` | when joints break |
 //! | `contact_change` | what changes at the contacts of an island at the end of its active set |

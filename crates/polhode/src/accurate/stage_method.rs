@@ -3,8 +3,8 @@
 //! | method | order | error | within a step |
 //! |---|---|---|---|
 //! | DOP853 | 8 | estimated; the step is chosen so that it stays below the tolerance | its own dense output |
-//! | DOP853 in reduced coordinates (`reduced_step.rs`) | 8 | estimated likewise | polynomials through eight times of its dense output |
-//! | classical (`integrator = "rk4"`) | 4 | not estimated; the step is fixed | polynomials through shorter steps from the same start |
+//! | DOP853 in reduced coordinates (`reduced_step.rs`) | 8 | the same | polynomials through eight times of it |
+//! | classical (`integrator = "rk4"`) | 4 | not estimated; the step is fixed | polynomials through shorter steps |
 //!
 //! The classical method is that of the thesis (3.3, "Simulating Motion when in Free Fall"), here with the contact
 //! forces of 3.4 at each of the four stages; the tier `thesis` keeps them constant over a step. A step that an event

@@ -2,7 +2,7 @@
 //!
 //! | coordinate | value | row, on A; the opposite on B |
 //! |---|---|---|
-//! | angle about an axis `n` (unit vector, fixed in B) | `l atan2(n.(e_B x e_A), e_B.e_A)` | `n x e_A` at `p_A + l e_A` |
+//! | angle about an axis `n` (unit, fixed in B) | `l atan2(n.(e_B x e_A), e_B.e_A)` | `n x e_A` at `p_A + l e_A` |
 //! | displacement along an axis `d` (unit vector, fixed in B) | `d.(p_A - p_B)` | `d` at `p_A` |
 //! | arc length along a track, height above one | `track.rs` | `track.rs` |
 //! | distance of two points | `abs(p_A - p_B)` | `(p_A - p_B)/abs(p_A - p_B)` at `p_A` |

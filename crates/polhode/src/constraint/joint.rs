@@ -8,11 +8,11 @@
 //! | fixed | a point and the attitude (`fixed.rs`) | nothing |
 //! | slider | a line and the attitude (`slider.rs`) | the displacement along the line |
 //! | cylindrical | an axis (`cylindrical.rs`) | the rotation about it and the displacement along it |
-//! | screw | an axis, and a displacement along it for each rotation about it (`screw.rs`) | the rotation about the axis, with its displacement |
+//! | screw | an axis, and a displacement along it for each rotation (`screw.rs`) | the rotation with its displacement |
 //! | rod | the distance of two points | all but displacements along their line |
 //! | rope | nothing: limits of a distance are stops | all |
-//! | planar | a point in a plane, and its normal (`planar.rs`) | displacements in it and the rotation about the normal |
-//! | track | a point on a curve (`track.rs`), or in its plane and on one side of it, or nothing: springs | the displacement along it, all rotations |
+//! | planar | a point in a plane, and its normal (`planar.rs`) | displacements in it, the rotation about the normal |
+//! | track | a point on a curve or on one side of it (`track.rs`), or nothing | displacement along it, all rotations |
 
 use super::coordinate::{CoordinateAt, Measured};
 use super::end::{End, EndKinematics, Order};

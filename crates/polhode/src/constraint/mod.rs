@@ -2,13 +2,15 @@
 //!
 //! | constraint | law of its rows | signed event functions |
 //! |---|---|---|
-//! | contact | push; with its tangents a cone, or a slide | separation; margin of its features; margin to contact break; with friction the slip and the rotation against their directions, and the margin of the cone |
+//! | contact | push; with tangents a cone, or a slide | separation; margin of features; margin to contact break |
+//! | the same, with friction | | besides: slip and rotation against their directions; margin of the cone |
 //! | pivot | hold, three rows | none: it never breaks |
 //! | joint | hold, rows of its kind (`joint.rs`) | its strength less its load, if it has one (`breaking.rs`) |
 //! | tie: a gear, or a prescribed motion of a joint (`tie.rs`) | hold, one row | none: it never breaks |
 //! | stop: a limit of a joint (`stop.rs`) | push, as a contact without friction | separation; margin to contact break |
-//! | track with one side: a stop across it (`track.rs`) | push, as a stop | as of a stop; the end of an open track, where the joint lets go (`released.rs`) |
-//! | friction of a joint (`joint_friction.rs`) | a contact with friction that a given force presses | slip; margin of the cone |
+//! | track with one side: a stop across it (`track.rs`) | push, as a stop | as of a stop |
+//! | the end of an open track (`released.rs`) | none | where the joint lets go |
+//! | friction of a joint (`joint_friction.rs`) | a rough contact that a force presses | slip; margin of the cone |
 //!
 //! Whoever adds a kind of joint adds one file, its line in the list of `joint.rs`, and its data in `scene/joint.rs`.
 //!
@@ -23,7 +25,7 @@
 //! | `point`, `line`, `perpendicular`, `thread` | the rows that joints are put together from |
 //! | `hinge`, `slider`, `fixed`, `universal`, `cylindrical`, `screw`, `planar`, `on_track` | one kind of joint each |
 //! | `tree_joint` | the kinds whose relative motion has coordinates of its own |
-//! | `coordinate`, `coordinate_at`, `joint_coordinate`, `turns` | coordinates of joints: value, rate, row, revolutions |
+//! | `coordinate`, `coordinate_at`, `joint_coordinate`, `turns` | coordinates of joints: value, rate, row, turns |
 //! | `joint_forces`, `motors`, `joint_power` | springs, dampers and motors along coordinates; what they give |
 //! | `softness`, `soft_rows` | the same as soft rows of a time step |
 //! | `tie`, `ties` | gears and prescribed motions of coordinates |

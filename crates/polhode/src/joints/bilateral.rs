@@ -2,7 +2,7 @@
 //!
 //! | row | velocity | reaction |
 //! |---|---|---|
-//! | along a direction `d` (unit vector) | `u = d.(v_A + w_A x r_A - v_B - w_B x r_B)` | force `l d` at the point, on A |
+//! | along a direction `d` (unit vector) | `u = d.(v_A + w_A x r_A - v_B - w_B x r_B)` | `l d` at the point, on A |
 //! | about an axis `n` (a length times a vector) | `u = n.(w_A - w_B)` | moment `l n` on A |
 //!
 //! B bears the opposite; the world as B has no entry. Each row has a gap (m), its rate (m/s), and what its second

@@ -5,7 +5,7 @@
 //! | module | holds |
 //! |---|---|
 //! | `held`, `bilateral` | whom bilateral constraints hold, and their rows |
-//! | `motors`, `soft_rows`, `joint_power` | motors and springs along coordinates, as rows of a time step, and what they give |
+//! | `motors`, `soft_rows`, `joint_power` | motors and springs along coordinates, as rows, and what they give |
 //! | `turns` | revolutions of angles |
 //! | `ties` | gears and prescribed motions |
 //! | `joint_contacts`, `joint_friction` | stops and dry friction: contacts at joints |

@@ -10,11 +10,11 @@
 //! | separation of features that do not touch | a contact begins | that of its spring |
 //! | overlap | it ends | its continued force |
 //! | force of spring and damper, or minus it | the damper would pull; it pushes again | the same |
-//! | rate of the overlap, or minus it | the overlap is greatest, or least | `int T k_t'/k_t dt` of a spring that holds, else none |
+//! | rate of the overlap, or minus it | it is greatest, or least | `int T k_t'/k_t dt` of a held spring, else none |
 //! | mu_s F_n - T | the tangential spring gives way | `T - mu F_n` |
 //! | speed of giving way | it holds | `int k_t (speed) dt` |
 //! | slip that is left before friction is kinetic | it becomes so | `(mu_s - mu) F_n`, and its damper |
-//! | margin of the point within its features, beyond rounding | it leaves them | that of its spring, and of overlaps of the pair that have no spring |
+//! | margin within its features, beyond rounding | the point leaves | that of its spring, and of overlaps without one |
 //!
 //! A missed force counts beyond what the rounding of positions makes of the spring's force anyway.
 //!

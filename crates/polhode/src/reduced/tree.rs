@@ -2,8 +2,8 @@
 //!
 //! | joint | coordinates `q` | speeds `u` |
 //! |---|---|---|
-//! | none: a free base | position of the centre of mass (3), quaternion (4) | its velocity (3), angular velocity (3), world |
-//! | ball | quaternion of the child in the frame of the parent (4) | angular velocity relative to the parent (3), world |
+//! | none: a free base | place of the centre of mass (3), quaternion (4) | velocity (3), angular velocity (3), world |
+//! | ball | quaternion of the child in the frame of the parent (4) | relative angular velocity (3), world |
 //! | hinge | angle (1) | its rate (1) |
 //! | slider | displacement (1) | its rate (1) |
 //!

@@ -2,9 +2,9 @@
 //!
 //! | module | holds |
 //! |---|---|
-//! | [`run_report`] | [`RunReport`](crate::RunReport), [`Outcome`](crate::Outcome), [`Certificate`](crate::Certificate) |
+//! | [`run_report`] | [`RunReport`](crate::RunReport), [`Outcome`](crate::Outcome), `Certificate` |
 //! | `broken_promise` | [`BrokenPromise`](crate::BrokenPromise): a limit that a run has exceeded |
-//! | [`ledger`], [`momentum_ledger`] | [`Ledger`](crate::Ledger), [`MomentumLedger`](crate::MomentumLedger): energy and momentum, booked by cause |
+//! | [`ledger`], [`momentum_ledger`] | [`Ledger`](crate::Ledger), [`MomentumLedger`](crate::MomentumLedger), by cause |
 //! | `energy` | [`Energy`](crate::Energy) of a scene |
 //! | [`event`] | [`Event`](crate::Event), [`EventKind`](crate::EventKind) |
 //! | [`observer`] | [`Observer`](crate::Observer), [`Recorder`](crate::Recorder): who receives samples and events |

@@ -8,7 +8,7 @@
 //! | `actions` | what a program does to bodies and joints |
 //! | `steering` | kinematic bodies that a program steers |
 //! | `stability` | [`Stability`](crate::Stability): how far bodies at rest are from moving |
-//! | `accompany`, `companion` | a second run beside this one, whose difference estimates the error of crowded stretches |
+//! | `accompany`, `companion` | a second run beside this one, to estimate the error of crowded stretches |
 //! | `singular_force` | the singular force that has made a run fail |
 
 mod accompany;

@@ -6,7 +6,7 @@
 //! | command at time t0 | motion from t0 on |
 //! |---|---|
 //! | velocity v, w | `p = p0 + v (t - t0)`, `R = exp(w (t - t0)) R0` |
-//! | pose (R1, p1) within T | position and rotation vector are polynomials of degree five in `(t - t0)/T`, then the body stands still |
+//! | pose (R1, p1) within T | p and rotation vector of degree five in `(t - t0)/T`, then the body stands still |
 //!
 //! p: position of the body's own origin, m; R: its orientation; v, w: velocity (m/s) and angular velocity (rad/s),
 //! world; (R0, p0): the pose at t0. The polynomials begin with the velocity and the acceleration that the body has, and

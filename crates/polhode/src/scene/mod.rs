@@ -12,11 +12,11 @@
 //! | `material` | [`Material`], [`PairRule`]: friction and restitution |
 //! | `grain` | [`FrictionEllipse`]: friction along and across a grain |
 //! | `force` | [`Force`]: forces besides uniform gravity and contact |
-//! | `freedom` | [`Coordinate`], [`Freedom`]: what a joint leaves free, and what acts along it: [`Limits`], springs, a [`Motor`] |
-//! | `joint` | [`Joint`]: what holds two bodies, or a body and the world, together; `joint_checks` says when one is refused |
+//! | `freedom` | [`Coordinate`], [`Freedom`]: what a joint leaves free; [`Limits`], springs, a [`Motor`] along it |
+//! | `joint` | [`Joint`]: what holds two bodies, or one and the world; `joint_checks` says when it is refused |
 //! | `track` | [`TrackId`], [`TrackHold`]: curves that bodies follow; `joint_on_track` places bodies on them |
 //! | `gear` | [`Gear`]: coordinates of two joints that move together |
-//! | `coordinate_motion` | [`CoordinateMotion`]: the prescribed motion of a coordinate; `tie_checks` says when one, or a gear, is refused |
+//! | `coordinate_motion` | [`CoordinateMotion`], which is prescribed; `tie_checks`: when it, or a gear, is refused |
 //! | `strength` | [`Strength`]: the load at which a joint breaks |
 //! | [`motion`] | prescribed motions of kinematic bodies |
 //! | `method` | [`Method`]: the tier and the settings that override its choices; [`TierFacts`] says what a tier is |

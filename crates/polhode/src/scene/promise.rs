@@ -2,7 +2,7 @@
 //!
 //! | quantity | relative to | accurate | stepped | fast | penalty | micro-collisions | thesis |
 //! |---|---|---|---|---|---|---|---|
-//! | overlap of two bodies | the smaller body | 1e-9 | 1e-3 | 0.1 | twice the stated penetration | the envelope | 1e-2 |
+//! | overlap of two bodies | the smaller body | 1e-9 | 1e-3 | 0.1 | twice the stated one | the envelope | 1e-2 |
 //! | gap of a joint; its rotations, rad | the smaller body | 1e-9 | 1e-6 | 1e-2 | 1e-6 | - | - |
 //! | energy from projections, and from the method | the largest energy | 1e-9 | 1e-3 | 5e-2 | 1e-2 | 1e-2 | 1e-2 |
 //! | residual of each solve | its problem | 1e-8 | 1e-8 | - | - | 1e-8 | - |

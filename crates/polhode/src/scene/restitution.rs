@@ -3,7 +3,7 @@
 //! | law | `e(v)` | for |
 //! |---|---|---|
 //! | [`RestitutionSpeed::Constant`] | `e` | small ranges of speed |
-//! | [`RestitutionSpeed::Yield`] | `e` up to `v_y`, `e (v/v_y)^(-1/4)` above | metals that yield: Johnson's law of plastic impact |
+//! | [`RestitutionSpeed::Yield`] | `e` up to `v_y`, `e (v/v_y)^(-1/4)` above | metals: Johnson's plastic impact |
 //! | [`RestitutionSpeed::Slope`] | `e - a v`, not below 0 | a line through measured points |
 //!
 //! with the speed of approach `v` (m/s), the yield speed `v_y` (m/s) and the slope `a` (s/m). None rises with speed,

@@ -2,9 +2,9 @@
 //!
 //! | [`Response`](crate::scene::Response) | what it does | what goes wrong |
 //! |---|---|---|
-//! | `impulse` | impulses where bodies approach, and nothing else | a resting body falls by `g h^2/2` in each step: it sinks (Videos 05 and 06) |
-//! | `impulse-projection` | then moves bodies out of each other | each lift adds `m g d`: a body vibrates for ever (Videos 07 and 08) |
-//! | `impulse-unconditional` | impulses wherever bodies overlap | at a contact that separates the impulse pulls: bodies stay caught (Video 04) |
+//! | `impulse` | impulses where bodies approach | a body at rest falls by `g h^2/2` a step: it sinks (Videos 05, 06) |
+//! | `impulse-projection` | then moves bodies apart | each lift adds `m g d`: they vibrate for ever (Videos 07, 08) |
+//! | `impulse-unconditional` | impulses wherever bodies overlap | apart they pull: bodies stay caught (Video 04) |
 //!
 //! The impulse at a contact is that of equation (14), `j = -(1 + e) u/G`, u the rate of separation (m/s), G the inverse
 //! mass seen by the contact (1/kg). Its change of energy is `-(1 - e^2) u^2/(2 G)` for either sign of u, so that

@@ -11,7 +11,7 @@
 //! | gap of a joint | `gap s + 18 ulp`; a rotation `gap` rad |
 //! | displacement by one projection, under error control | `overlap s + 40 ulp` |
 //! | energy that projections take or give, in all | `energy E` |
-//! | energy that the method takes or gives, in all | `energy E`; under error control at least 10 tolerances E for each longest step |
+//! | energy of the method, in all | `energy E`; under error control at least 10 tolerances E for each longest step |
 //! | both in stretches of crowded events | the tolerance of crowding times E for each longest step |
 //! | residual of a problem at an instant | that of the promise, at least what rounding of its terms leaves |
 //! | residual of a time step, violation of Coulomb's law, estimated error | those of the promise |

@@ -9,10 +9,12 @@
 //!
 //! | | part | reason |
 //! |---|---|---|
-//! | a | `1/4 - 1/(4 x)`, zero for `x <= 1`; x bounds `h^2 K/M` | with `a = 1/4` the step is the implicit midpoint rule, which is stable at any length and conserves the energy of a linear spring. A spring that the step resolves is left to the explicit kick, which gives bodies at rest the whole of its force |
-//! | s | `1/(1 - e^-z) - 1/z`, z = `h D/M` | the decay under linear drag is exact, `e^-z`, also to the speed of a fall |
+//! | a | `1/4 - 1/(4 x)`, zero for `x <= 1`; x bounds `h^2 K/M` | with `a = 1/4` the implicit midpoint rule |
+//! | s | `1/(1 - e^-z) - 1/z`, z = `h D/M` | the decay under linear drag is exact: `e^-z`, to the speed of a fall |
 //! | s, quadratic drag | 1/2 | the decay without other forces is exact, `1/(1 + h c v/m)` |
 //!
+//! The implicit midpoint rule is stable at any length and conserves the energy of a linear spring. A spring that the
+//! step resolves is left to the explicit kick, which gives bodies at rest the whole of its force.
 //! Constraints change the velocities by `c` in the same step; where `c` is known from a first solution (`step.rs`), the
 //! whole change is `dv + c + g h`, and the right-hand side has `-(h a h K + h s D) c` besides.
 //!

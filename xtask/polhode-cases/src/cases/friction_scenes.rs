@@ -2,8 +2,9 @@
 //!
 //! | scene | what is known |
 //! |---|---|
-//! | ladders on a smooth wall | friction that statics asks for: `x/z`, the centre of mass being `x` from the foot, the top at `z` |
-//! | billiards | a ball that slides with v and spins with w ends up rolling with `(5 v + 2 R w)/7`; a head-on impact of two balls |
+//! | ladders on a smooth wall | friction that statics asks for: `x/z`, centre of mass x from the foot, top at z |
+//! | billiards | a ball with speed v and spin w ends up rolling with `(5 v + 2 R w)/7` |
+//! | | a head-on impact of two balls |
 //! | ball on a turntable | goes round a circle at 2/7 of the table's rate (Earnshaw 1844) |
 //! | conveyor | a body set down slides for `v/(mu g)` and `v^2/(2 mu g)` |
 //! | books | slide `v^2/(2 mu g)` |

@@ -5,7 +5,7 @@
 //!
 //! | scene | motion | exact |
 //! |---|---|---|
-//! | ladder | a frictionless ladder against a wall, before it leaves it: two contacts that turn | tier `accurate` at a tolerance of 1e-13 |
+//! | ladder | a smooth ladder on a wall, before it leaves it: two turning contacts | tier `accurate`, tolerance 1e-13 |
 //! | off-centre ball | a ball that rolls to and fro about its lowest place | the same |
 //! | rolling | a ball down a slope | `5/14 g sin(a) t^2` |
 //! | sliding and spinning | a ball whose slip keeps its direction | a parabola |

@@ -8,11 +8,13 @@
 //!
 //! | other locus | offset, m | at most one place on either side |
 //! |---|---|---|
-//! | line along e | `e.(x - c)` | always: seen along the line, the halves of an ellipse on either side of its long axis |
-//! | side of a cone, axis e | `e.(x - c)` | in each of many random cases (test `a_circle_has_at_most_one_local_minimum_on_either_half`); not proved |
-//! | circle, one branch named, or both and the same | `(a_1 x (x_1 - c_1)).(x_2 - c_2)/R_2` | if the circles cross, seen along the normal |
-//! | circle, both tori, both branches named and the same | `n.((x_2 - c_2) x (x_1 - c_1))/max(R_1, R_2)` | if the circles cross, seen along the normal |
+//! | line along e | `e.(x - c)` | always: seen along it, the halves of an ellipse beside its long axis |
+//! | side of a cone, axis e | `e.(x - c)` | in each of many random cases (see below); not proved |
+//! | circle, one branch, or both and the same | `(a_1 x (x_1 - c_1)).(x_2 - c_2)/R_2` | if they cross, seen along n |
+//! | circle, both tori, both branches, the same | `n.((x_2 - c_2) x (x_1 - c_1))/max(R_1, R_2)` | likewise |
 //! | circle, two different branches named | `(x_1 - c_1).(a_1 x a_2)` | if the planes of the circles cross |
+//!
+//! The random cases are in the test `a_circle_has_at_most_one_local_minimum_on_either_half`.
 //!
 //! A feature names one half of its circle, a *branch*, by `RimExit` or `RimEntry`; `Rim` names none. Circle 1 is the
 //! circle whose branch is named. If both branches are named, it is the rim of a disc where the other is a torus (whose

@@ -112,12 +112,13 @@ fn without_compounds(
 }
 
 fn of_compound(
-    CompoundBuffers { mesh, pairs, of_parts, candidates, kept, near: near_parts, ridges, same_places }: &mut CompoundBuffers,
+    buffers: &mut CompoundBuffers,
     shapes: [&Shape; 2],
     poses: [&Pose; 2],
     reach: f64,
     found: &mut Manifold,
 ) {
+    let CompoundBuffers { mesh, pairs, of_parts, candidates, kept, near: near_parts, ridges, same_places } = buffers;
     // The poses relative to A's origin.
     let near_a = Pose { translation: glam::DVec3::ZERO, ..*poses[0] };
     let near_b = Pose { translation: poses[1].translation - poses[0].translation, ..*poses[1] };

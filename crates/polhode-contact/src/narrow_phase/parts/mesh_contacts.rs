@@ -418,7 +418,8 @@ pub(crate) fn of_curved(
         let Some(contact) = on_triangle.measure(local.feature) else { continue };
         let place = local.geometry.point + local.geometry.normal * (0.5 * local.geometry.separation);
         let at = on_triangle.feature_at(place);
-        let flat_edge = matches!(at, TriangleFeature::Edge(k) if mesh.edges[mesh.edges_of[triangle.index as usize][k] as usize].flat);
+        let edges = &mesh.edges_of[triangle.index as usize];
+        let flat_edge = matches!(at, TriangleFeature::Edge(k) if mesh.edges[edges[k] as usize].flat);
         let supported = on_triangle.supports(at, -local.geometry.normal, SLOPE);
         // A face keeps its normal up to its border, even where the next face rises: in a valley both faces have
         // contacts.

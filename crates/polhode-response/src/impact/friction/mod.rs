@@ -13,7 +13,7 @@
 //! | `outcome`, `phase` | [`FrictionalImpact`]: what it did; slip, stick, reversal, jam |
 //! | `multiple` | [`MultipleFrictionalImpact`]: an impact at several contacts |
 //! | `multiple_outcome` | [`MultipleImpact`]: what it did |
-//! | `simultaneous`, `sequence`, `pulse` | contacts struck together, one at a time, and as springs ([`MultipleImpactLaw`]) |
+//! | `simultaneous`, `sequence`, `pulse` | struck together, one at a time, as springs ([`MultipleImpactLaw`]) |
 //! | `springs`, `spring_contact`, `held_slip` | contacts as springs with friction, and which of them stick |
 //! | `reactions` | what unit impulses at a contact do with joints held |
 //! | `without_collision` | impacts of contacts that jam, at one or several |

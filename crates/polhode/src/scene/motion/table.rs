@@ -6,9 +6,12 @@
 //!
 //! | interpolation | velocity and acceleration at an inner sample | continuous | order for smooth samples |
 //! |---|---|---|---|
-//! | spline | those of the clamped cubic spline (velocity zero at both ends): away from the ends the path is that spline | pose, velocity, acceleration | 4 |
-//! | monotone | the same, limited where a coordinate would leave the range of two neighbouring samples (`monotone`) | pose, velocity, acceleration | 4; 2 next to where a coordinate turns |
+//! | spline | those of the clamped cubic spline (velocity zero at both ends) | pose, velocity, acceleration | 4 |
+//! | monotone | the same, limited (`monotone`) | pose, velocity, acceleration | 4; 2 next to where a coordinate turns |
 //! | linear | none: the velocity is constant between samples | pose | 2 |
+//!
+//! With `spline` the path is that spline away from the ends. `monotone` limits what would make a coordinate leave the
+//! range of two neighbouring samples.
 //!
 //! **Orientation.** The same for rotation vectors: between samples k and k + 1 `R(t) = exp(theta(t)) R_k`, theta of
 //! degree five from zero to the rotation vector `phi_k` of `R_(k+1) R_k^-1`, with the angular velocity and acceleration

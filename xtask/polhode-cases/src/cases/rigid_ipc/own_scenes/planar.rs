@@ -125,7 +125,8 @@ fn fillings() -> Vec<OwnScene> {
             let [x, turn] = [f64::from(7 * number % 11) * 0.2 - 1.0, f64::from(29 * number % 45)];
             let y = 2.0 + 1.05 * f64::from(number);
             json!({
-                "mesh": "cube.obj", "scale": [0.7, 0.7, 1], "position": [x, y, 0], "rotation": [0, 0, turn], "density": 2
+                "mesh": "cube.obj", "scale": [0.7, 0.7, 1], "position": [x, y, 0], "rotation": [0, 0, turn],
+                "density": 2
             })
         }));
         OwnScene::new(name, duration, 9.81, &Value::Array(bodies)).with_restitution(restitution)
@@ -141,7 +142,10 @@ fn bounces() -> Vec<OwnScene> {
     let diamond = |name, speed: f64| {
         let bodies = json!([
             { "mesh": "cube.obj", "scale": [20, 1, 1], "position": [0, 0.5, 0], "type": "static" },
-            { "mesh": "cube.obj", "scale": [2, 2, 1], "position": [-9, 4, 0], "rotation": [0, 0, 45], "linear_velocity": [speed, 0, 0] }
+            {
+                "mesh": "cube.obj", "scale": [2, 2, 1], "position": [-9, 4, 0], "rotation": [0, 0, 45],
+                "linear_velocity": [speed, 0, 0]
+            }
         ]);
         OwnScene::new(name, 10.0, 3.0, &bodies).with_restitution(1.0)
     };

@@ -121,7 +121,10 @@ fn rolling() -> Vec<OwnScene> {
             2.0,
             -0.074,
             0.05,
-            json!({ "mesh": "cone.obj", "position": [-0.1, -0.039, 0], "rotation": [27, 0, 0], "linear_velocity": [0.3, 0, 0] }),
+            json!({
+                "mesh": "cone.obj", "position": [-0.1, -0.039, 0], "rotation": [27, 0, 0],
+                "linear_velocity": [0.3, 0, 0]
+            }),
         ),
         on(
             "rolling sphericon",

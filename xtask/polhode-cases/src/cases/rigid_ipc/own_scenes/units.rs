@@ -85,7 +85,10 @@ fn degenerate() -> Vec<OwnScene> {
             name,
             0.0,
             &json!([
-                { "mesh": mesh, "position": [-0.49 * speed, 2.0001, 0], "rotation": [0, 0, 180], "linear_velocity": [speed, 0, 0] },
+                {
+                    "mesh": mesh, "position": [-0.49 * speed, 2.0001, 0], "rotation": [0, 0, 180],
+                    "linear_velocity": [speed, 0, 0]
+                },
                 { "mesh": "plane.obj", "position": [0, -1, 0], "type": "static" }
             ]),
         )
@@ -98,7 +101,10 @@ fn degenerate() -> Vec<OwnScene> {
             "spike in crack",
             9.8,
             &json!([
-                { "mesh": "spike.obj", "position": [0, 2.0001, 0], "rotation": [0, 0, 180], "linear_velocity": [1, 0, 0], "force": [1, 0, 0] },
+                {
+                    "mesh": "spike.obj", "position": [0, 2.0001, 0], "rotation": [0, 0, 180],
+                    "linear_velocity": [1, 0, 0], "force": [1, 0, 0]
+                },
                 { "mesh": "crack.obj", "position": [0, -1, 0], "type": "static" }
             ]),
         ),
@@ -106,7 +112,10 @@ fn degenerate() -> Vec<OwnScene> {
             "wedge in crack",
             9.8,
             &json!([
-                { "mesh": "wedge.obj", "position": [0, 2.001, 0], "rotation": [0, 0, 180], "linear_velocity": [1, 0, 0], "force": [10, 0, 0] },
+                {
+                    "mesh": "wedge.obj", "position": [0, 2.001, 0], "rotation": [0, 0, 180],
+                    "linear_velocity": [1, 0, 0], "force": [10, 0, 0]
+                },
                 { "mesh": "crack.obj", "position": [0, -1, 0], "type": "static" }
             ]),
         ),
@@ -122,14 +131,21 @@ fn tunnels() -> Vec<OwnScene> {
     let held = json!([false, false, false, true, true, true]);
     let floor = json!({ "mesh": "plane.obj", "position": [0, -0.501, 0], "scale": [0.5, 1, 1], "type": "static" });
     let roof = json!({ "mesh": "plane.obj", "position": [0, 0.501, 0], "scale": [0.5, 1, 1], "type": "static" });
-    let wall = |x: f64, turn: f64| json!({ "mesh": "plane.obj", "position": [x, 0, 0], "rotation": [0, 0, turn], "type": "static" });
+    let wall = |x: f64, turn: f64| {
+        json!({
+            "mesh": "plane.obj", "position": [x, 0, 0], "rotation": [0, 0, turn], "type": "static"
+        })
+    };
     vec![
         scene(
             "tunnel of 2 walls",
             0.0,
             &json!([
                 floor, roof,
-                { "mesh": "cube.obj", "position": [0, 0, -4], "rotation": [0, 90, 0], "linear_velocity": [0, 0, 25], "is_dof_fixed": held }
+                {
+                    "mesh": "cube.obj", "position": [0, 0, -4], "rotation": [0, 90, 0],
+                    "linear_velocity": [0, 0, 25], "is_dof_fixed": held
+                }
             ]),
         ),
         scene(
@@ -138,7 +154,10 @@ fn tunnels() -> Vec<OwnScene> {
             &json!([
                 { "mesh": "plane-8192.obj", "position": [0, -0.501, 0], "type": "static" },
                 { "mesh": "plane-8192.obj", "position": [0, 0.501, 0], "type": "static" },
-                { "mesh": "cube.obj", "position": [0, 0, -4], "rotation": [0, 90, 0], "linear_velocity": [0, 0, 100], "is_dof_fixed": held }
+                {
+                    "mesh": "cube.obj", "position": [0, 0, -4], "rotation": [0, 90, 0],
+                    "linear_velocity": [0, 0, 100], "is_dof_fixed": held
+                }
             ]),
         ),
         scene(
@@ -154,7 +173,10 @@ fn tunnels() -> Vec<OwnScene> {
             0.0,
             &json!([
                 { "mesh": "plane.obj", "rotation": [0, 0, 90], "type": "static" },
-                { "mesh": "cube.obj", "position": [-5, 0, 0], "rotation": [32, 247, 53], "linear_velocity": [1000, 0, 0] }
+                {
+                    "mesh": "cube.obj", "position": [-5, 0, 0], "rotation": [32, 247, 53],
+                    "linear_velocity": [1000, 0, 0]
+                }
             ]),
         ),
     ]
@@ -209,7 +231,9 @@ fn rotations() -> Vec<OwnScene> {
     vec![
         alone(
             "spin about the middle axis",
-            json!({ "mesh": "cube.obj", "scale": [2, 1, 0.5], "rotation": [-3, 0, 0], "angular_velocity": [0, 180, 0] }),
+            json!({
+                "mesh": "cube.obj", "scale": [2, 1, 0.5], "rotation": [-3, 0, 0], "angular_velocity": [0, 180, 0]
+            }),
         ),
         alone("ellipsoid about its long axis", ellipsoid([180.0, 0.0, 0.0])),
         alone("ellipsoid about its middle axis", ellipsoid([0.0, 180.0, 0.0])),
