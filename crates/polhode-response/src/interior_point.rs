@@ -10,7 +10,6 @@
 //! accepted. Failure: `None`.
 
 use crate::dense::kernels::largest;
-use crate::problem::ContactProblem;
 use clarabel::algebra::CscMatrix;
 use clarabel::solver::{
     DefaultSettings, DefaultSolver, IPSolver, NonnegativeConeT, SecondOrderConeT, SolverStatus, ZeroConeT,
@@ -22,9 +21,6 @@ const TOLERANCE: f64 = 1e-12;
 /// Tolerance of the refinement of clarabel's linear systems (no unit): a few rounding units.
 const REFINEMENT: f64 = 1e-15;
 
-/// A pivot of an inverse mass block below this fraction of its diagonal is rounding of zero (no unit).
-const PIVOT_ROUNDING: f64 = 1e-14;
-
 /// Tolerances of linear programmes, tried in turn: singular matrices do not always allow the first. The answer is made
 /// exact afterwards, and its residual is checked.
 const PROGRAMME_TOLERANCES: [f64; 3] = [1e-12, 1e-10, 1e-8];
@@ -32,17 +28,6 @@ const PROGRAMME_TOLERANCES: [f64; 3] = [1e-12, 1e-10, 1e-8];
 /// What a margin may be off by where the first tolerance is not met, relative to data of unit size (no unit, 1e-9 to
 /// 1e-7): it is told to six digits.
 const MARGIN_TOLERANCE: f64 = 1e-7;
-
-/// Contact forces by interior point.
-#[derive(Debug, Clone)]
-pub(crate) struct InteriorPointForces {
-    /// Forces, not negative.
-    pub(crate) forces: Vec<f64>,
-    /// Rows whose force outweighs their acceleration (both scaled): the guess of the active set.
-    pub(crate) active: Vec<usize>,
-    /// Iterations.
-    pub(crate) iterations: usize,
-}
 
 /// Answer of a linear programme.
 #[derive(Debug, Clone, PartialEq)]
@@ -60,56 +45,6 @@ pub(crate) enum LinearProgramme {
     Infeasible,
     /// The solver gave up.
     Failed,
-}
-
-/// The forces of `rows` with constant terms `b` (in the order of `rows`).
-pub(crate) fn contact_forces(problem: &ContactProblem, rows: &[usize], b: &[f64]) -> Option<InteriorPointForces> {
-    let (width, variables) = (problem.width(), problem.bodies() * problem.width());
-    let factors: Vec<Vec<f64>> =
-        (0..problem.bodies()).map(|body| semidefinite_factor(problem.inverse_mass(body), width)).collect();
-    let mut triplets = (Vec::new(), Vec::new(), Vec::new());
-    let mut lengths = Vec::with_capacity(rows.len());
-    for (line, &row) in rows.iter().enumerate() {
-        let mut blocks = Vec::with_capacity(2 * width);
-        for entry in problem.entries(row) {
-            let factor = &factors[entry.body];
-            for component in 0..width {
-                let value: f64 = (component..width).map(|k| entry.jacobian[k] * factor[k * width + component]).sum();
-                blocks.push((entry.body * width + component, value));
-            }
-        }
-        let length = blocks.iter().map(|(_, value)| value * value).sum::<f64>().sqrt();
-        if !(length > 0.0 && length.is_finite()) {
-            return None;
-        }
-        lengths.push(length);
-        for (column, value) in blocks {
-            triplets.0.push(line);
-            triplets.1.push(column);
-            triplets.2.push(-value / length);
-        }
-    }
-    let scaled: Vec<f64> = b.iter().zip(&lengths).map(|(b, length)| b / length).collect();
-    let size = largest(&scaled);
-    if !(size > 0.0 && size.is_finite()) {
-        return None;
-    }
-    let right: Vec<f64> = scaled.iter().map(|value| value / size).collect();
-    let identity = CscMatrix::identity(variables);
-    let constraints = CscMatrix::new_from_triplets(rows.len(), variables, triplets.0, triplets.1, triplets.2);
-    let cones = [NonnegativeConeT(rows.len())];
-    let mut solver =
-        DefaultSolver::new(&identity, &vec![0.0; variables], &constraints, &right, &cones, settings(TOLERANCE)).ok()?;
-    solver.solve();
-    if solver.solution.status != SolverStatus::Solved {
-        return None;
-    }
-    let (multipliers, slacks) = (&solver.solution.z, &solver.solution.s);
-    Some(InteriorPointForces {
-        forces: multipliers.iter().zip(&lengths).map(|(z, length)| (z * size / length).max(0.0)).collect(),
-        active: (0..rows.len()).filter(|&k| multipliers[k] > slacks[k]).collect(),
-        iterations: solver.solution.iterations as usize,
-    })
 }
 
 /// `min sum x` subject to `E x = e`, `A x >= a`, `x >= 0`; `E` and `A` are row-major and dense.
@@ -292,24 +227,4 @@ fn settings(tolerance: f64) -> DefaultSettings<f64> {
         iterative_refinement_abstol: REFINEMENT,
         ..DefaultSettings::default()
     }
-}
-
-/// Lower triangular `C` with `C C^T` the matrix; columns of zero pivots are zero.
-fn semidefinite_factor(matrix: &[f64], width: usize) -> Vec<f64> {
-    let mut factor: Vec<f64> = vec![0.0; width * width];
-    for column in 0..width {
-        let square: f64 = (0..column).map(|k| factor[column * width + k] * factor[column * width + k]).sum();
-        let pivot = matrix[column * width + column] - square;
-        // What rounding leaves of a zero pivot would, as a divisor, make columns out of noise.
-        if pivot <= PIVOT_ROUNDING * matrix[column * width + column] {
-            continue;
-        }
-        let root = pivot.sqrt();
-        factor[column * width + column] = root;
-        for row in column + 1..width {
-            let inner: f64 = (0..column).map(|k| factor[row * width + k] * factor[column * width + k]).sum();
-            factor[row * width + column] = (matrix[row * width + column] - inner) / root;
-        }
-    }
-    factor
 }

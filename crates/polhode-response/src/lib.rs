@@ -65,7 +65,6 @@
 //! | Delassus matrix | computes `J M^-1 J^T` | `delassus.rs` |
 //! | active set | finds rows with forces, warm start | `complementarity/solver.rs`, `complementarity/active_set.rs` |
 //! | twice the precision | repeats that where rows nearly depend on each other | `precise.rs` |
-//! | interior point | solves what the active set has not | `interior_point.rs` |
 //! | certificate | computes residual and error bound of the answer | `certificate.rs` |
 //! | least norm | chooses the least forces of the same motion | `minimum_norm.rs`, `least_norm_hold.rs` |
 //!
@@ -121,7 +120,7 @@ pub mod sparse;
 pub use complementarity::{ComplementaritySolver, ContactSolution, WarmStart, solve_complementarity};
 pub use delassus::{Delassus, check_delassus};
 pub use error::ResponseError;
-pub use friction::{Blocks, BlocksSolution, ResistedPart};
+pub use friction::{Blocks, BlocksSolution, FallbackPolicy, ResistedPart};
 pub use guesses::{GuessedForces, MOST_GUESSED, guesses};
 pub use heuristic::{HeuristicSolution, heuristic};
 pub use impact::friction::{
@@ -141,7 +140,7 @@ pub use method_set::{ChainMethod, MethodSet};
 pub use minimum_norm::{MinimumNormForces, minimum_norm};
 pub use problem::{ContactProblem, RowEntries};
 pub use report::{Method, SolverReport, SolverStatus};
-pub use settings::{FallbackPolicy, SolverSettings};
+pub use settings::SolverSettings;
 pub use sliding::{SlidingRow, least_norm_sliding_forces, motion_depends_on_choice};
 pub use solve::{Ask, Memory, RowProblem, solve};
 

@@ -40,15 +40,11 @@ pub enum Method {
     ColdStart,
     /// The active set in twice the working precision: rows that nearly depend on each other, or squeeze bodies.
     PreciseActiveSet,
-    /// Tried only: the active set from all rows that close without forces. What it finds is told as of a cold start.
-    AllHeld,
     /// Tried only: refinement in twice the working precision, at large mass ratios. What it refines keeps its method.
     Refinement,
     /// Tried only: all methods once more, with the rounding of the constant terms as noise.
     RoundingAsNoise,
-    /// Interior point, made exact by an active set.
-    InteriorPointPolished,
-    /// Interior point alone.
+    /// Interior point: forces that hold bodies at rest, of the greatest reserve of friction.
     InteriorPoint,
     /// Linear programme (the `thesis` tier).
     LinearProgramme,
@@ -64,9 +60,7 @@ impl Method {
             Self::WarmStart => "warm-start",
             Self::ActiveSet => "active-set",
             Self::ColdStart => "cold-start",
-            Self::AllHeld => "all-held",
             Self::PreciseActiveSet => "precise-active-set",
-            Self::InteriorPointPolished => "interior-point-polished",
             Self::InteriorPoint => "interior-point",
             Self::Refinement => "refinement",
             Self::RoundingAsNoise => "rounding-as-noise",
@@ -77,7 +71,7 @@ impl Method {
 
     /// Whether the first method tried did not succeed.
     pub fn is_fallback(self) -> bool {
-        matches!(self, Self::ColdStart | Self::InteriorPointPolished | Self::InteriorPoint)
+        matches!(self, Self::ColdStart | Self::InteriorPoint)
     }
 }
 
@@ -87,9 +81,7 @@ impl ChainMethod for Method {
         Self::WarmStart,
         Self::ActiveSet,
         Self::ColdStart,
-        Self::AllHeld,
         Self::PreciseActiveSet,
-        Self::InteriorPointPolished,
         Self::InteriorPoint,
         Self::Refinement,
         Self::RoundingAsNoise,
@@ -111,7 +103,7 @@ pub struct SolverReport {
     pub method: Method,
     /// Which were tried.
     pub tried: MethodSet<Method>,
-    /// Pivots of the active set plus iterations of the interior point.
+    /// Pivots of the active set, or iterations of another method.
     pub iterations: usize,
     /// Natural map residual, relative, before rows that are held are set to exactly zero:
     /// see [`natural_map_residual`](crate::certificate::natural_map_residual).
@@ -140,10 +132,6 @@ impl SolverReport {
         let has = |method| self.tried.contains(method);
         if self.noise_floor > noise_floor {
             return Method::RoundingAsNoise;
-        }
-        let is_decided = self.status != SolverStatus::Inaccurate;
-        if is_decided && has(Method::AllHeld) && !has(Method::InteriorPointPolished) {
-            return Method::AllHeld;
         }
         // After pivots the warm start is told as an active set.
         match self.method {

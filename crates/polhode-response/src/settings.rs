@@ -23,21 +23,8 @@ pub struct SolverSettings {
     /// Rounding error that the constant terms `b` already carry, in the unit of `b`: smaller `w` count as zero. Where
     /// no answer is found with it, 64 roundings of the largest `b` are tried.
     pub noise_floor: f64,
-    /// Limit of pivots for each row before the fallbacks are tried.
+    /// Limit of pivots for each row before twice the precision is tried.
     pub pivots_per_row: u32,
-    /// What to do when the active set does not succeed.
-    pub fallback: FallbackPolicy,
-}
-
-/// What a solve may do when its own active set does not succeed.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-#[non_exhaustive]
-pub enum FallbackPolicy {
-    /// Interior point in lifted form, then an active-set polish.
-    #[default]
-    InteriorPoint,
-    /// Nothing: the status says so.
-    Refuse,
 }
 
 impl Default for SolverSettings {
@@ -50,7 +37,6 @@ impl Default for SolverSettings {
             null_space_cut: 1e-11,
             noise_floor: 0.0,
             pivots_per_row: 20,
-            fallback: FallbackPolicy::InteriorPoint,
         }
     }
 }

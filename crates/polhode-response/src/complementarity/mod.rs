@@ -11,8 +11,8 @@
 //!
 //! Method: an active set, exact up to rounding, warm-started from the rows that carried force last time; when it
 //! does not succeed, a cold start; where rows depend on each other nearly, or squeeze bodies, the same active set in
-//! twice the precision, which tells directions apart down to 1e-14 and certifies that there are no forces; at last an
-//! interior point in lifted form polished by the active set.
+//! twice the precision, which tells directions apart down to 1e-14 and certifies that there are no forces. (Starts from
+//! all rows, and an interior point behind the active set, never gave an answer: docs/census.md.)
 //!
 //! | module | holds |
 //! |---|---|

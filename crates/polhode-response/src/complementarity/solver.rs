@@ -6,19 +6,17 @@ use super::{ContactSolution, WarmStart};
 #[cfg(feature = "census")]
 use crate::census::{self, Answer, Chain, Size};
 use crate::certificate::{
-    DEPENDENT_ROUNDING, FACTOR_MARGIN, bilateral_residual, nan_max, power_bound, row_accelerations, row_residual,
-    row_scales,
+    DEPENDENT_ROUNDING, FACTOR_MARGIN, bilateral_residual, nan_max, power_bound, row_residual, row_scales,
 };
 use crate::delassus::Delassus;
 use crate::dense::kernels::{axpy, largest};
 use crate::dense::scalar::Scalar;
 use crate::error::{ResponseError, check_finite, check_length};
-use crate::interior_point;
 use crate::method_set::MethodSet;
 use crate::precise;
 use crate::problem::ContactProblem;
 use crate::report::{Method, SolverReport, SolverStatus};
-use crate::settings::{FallbackPolicy, SolverSettings};
+use crate::settings::SolverSettings;
 use polhode_spatial::DoubleDouble;
 
 /// A Schur complement in twice the precision below this fraction of its terms is rounding, whatever the settings say
@@ -51,7 +49,6 @@ pub struct ComplementaritySolver {
     precise: PreciseSet,
     solution: ContactSolution,
     best: Candidate,
-    guess: Vec<usize>,
     scales: Vec<f64>,
     matrix: Vec<f64>,
     /// Which methods the search has tried.
@@ -268,17 +265,12 @@ impl ComplementaritySolver {
             self.closed_form(data);
             return self.publish(data.b);
         }
-        let decided = match warm_start {
-            Some(start) => {
-                self.decide(data, start.rows(), Method::WarmStart) || self.decide(data, &[], Method::ColdStart)
-            }
+        let is_decided = match warm_start {
+            Some(start) => self.decide(data, start.rows(), Method::WarmStart),
             None => self.decide(data, &[], Method::ActiveSet),
         };
-        let decided = decided || self.begins(Method::AllHeld) && self.decide_all_held(data);
-        // The interior point knows contacts only.
-        let may_relax = data.bilateral.is_empty() && self.settings.fallback == FallbackPolicy::InteriorPoint;
-        if !decided && may_relax && self.begins(Method::InteriorPointPolished) {
-            self.interior_point(data);
+        if !is_decided && warm_start.is_some() {
+            self.decide(data, &[], Method::ColdStart);
         }
         self.refine_precisely(data);
         if self.best.report.status == SolverStatus::Solved && self.best.report.residual > DOUBTFUL_RESIDUAL {
@@ -292,10 +284,9 @@ impl ComplementaritySolver {
     /// The active set in working precision and, where that does not do, in twice the precision. Whether there is an
     /// answer that is accepted, or a proof that there is none.
     fn decide(&mut self, data: Data<'_>, start: &[usize], method: Method) -> bool {
-        self.begins(method) && self.decide_from(data, start, method)
-    }
-
-    fn decide_from(&mut self, data: Data<'_>, start: &[usize], method: Method) -> bool {
+        if !self.begins(method) {
+            return false;
+        }
         match self.attempt(data, start, method) {
             Outcome::Accepted => true,
             Outcome::PivotLimit => self.attempt_precisely(data, start),
@@ -304,17 +295,6 @@ impl ComplementaritySolver {
                 self.attempt_precisely(data, &rows)
             }
         }
-    }
-
-    /// The thesis's first guess, no contact vanishes, as another way in; rows that separate without forces are left
-    /// out. From nothing there are fewer pivots, so this comes second.
-    fn decide_all_held(&mut self, data: Data<'_>) -> bool {
-        let mut guess = std::mem::take(&mut self.guess);
-        guess.clear();
-        guess.extend((0..data.b.len()).filter(|&row| data.b[row] <= 0.0));
-        let decided = self.decide_from(data, &guess, Method::ColdStart);
-        self.guess = guess;
-        decided
     }
 
     /// Equation (14) in complementarity form: `f = max(0, -b / G)`.
@@ -426,31 +406,6 @@ impl ComplementaritySolver {
         let root = |row: usize| matrix[row * b.len() + row].sqrt();
         let terms: f64 = forces.iter().enumerate().map(|(row, force)| root(row) * force.abs()).sum();
         distance <= motion.cut.max(f64::ROUNDING) * terms
-    }
-
-    fn interior_point(&mut self, data: Data<'_>) {
-        let Data { problem, matrix, b, .. } = data;
-        let Some(answer) = interior_point::contact_forces(problem, &data.all_rows(), b) else { return };
-        if self.decide(data, &answer.active, Method::InteriorPointPolished) {
-            self.best.report.iterations += answer.iterations;
-            self.best.report.method = Method::InteriorPointPolished;
-            return;
-        }
-        self.tried.insert(Method::InteriorPoint);
-        let mut w = vec![0.0; b.len()];
-        row_accelerations(matrix, b, &answer.forces, &mut w);
-        let mut report = SolverReport {
-            status: SolverStatus::Inaccurate,
-            method: Method::InteriorPoint,
-            iterations: answer.iterations,
-            rank: answer.active.len(),
-            ..SolverReport::default()
-        };
-        self.certify(data, &answer.forces, &w, &mut report);
-        if report.residual <= self.settings.acceptance {
-            report.status = SolverStatus::Solved;
-        }
-        self.offer(&answer.forces, &w, &answer.active, report);
     }
 
     /// At large mass ratios: refinement with accelerations in twice the precision, if the answer is that of the active

@@ -50,6 +50,6 @@ pub use gauss_seidel::gauss_seidel;
 pub use limit_analysis::{Limit, MOST_FACTOR, Structure};
 pub use linearisation::ContactStatus;
 pub use problem::FrictionProblem;
-pub use settings::{FrictionSettings, Redundancy};
+pub use settings::{FallbackPolicy, FrictionSettings, Redundancy};
 pub use solution::{FrictionMethod, FrictionReport, FrictionSolution};
 pub use solver::solve_friction;

@@ -1,7 +1,17 @@
 //! Tolerances and limits of the frictional contact solver.
 
 use crate::error::ResponseError;
-use crate::settings::FallbackPolicy;
+
+/// What a solve may do when Newton's method does not succeed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[non_exhaustive]
+pub enum FallbackPolicy {
+    /// Contacts that yield, the convex programme over cones, and sweeps.
+    #[default]
+    SlowerMethods,
+    /// Nothing: the status says so.
+    Refuse,
+}
 
 /// Settings of [`solve_friction`](crate::friction::solve_friction).
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -48,7 +58,7 @@ impl Default for FrictionSettings {
             newton_steps: 60,
             corrections: 4,
             last_sweeps: 1000,
-            fallback: FallbackPolicy::InteriorPoint,
+            fallback: FallbackPolicy::SlowerMethods,
             redundancy: Redundancy::Any,
         }
     }

@@ -12,12 +12,12 @@ use crate::friction::coulomb_cone::{project, put_parts_into_discs, rows_of};
 use crate::friction::gauss_seidel::GaussSeidel;
 use crate::friction::newton::{Damping, Iterate, Newton, NewtonLimits, NewtonSteps};
 use crate::friction::problem::FrictionProblem;
+use crate::friction::settings::FallbackPolicy;
 use crate::friction::settings::{FrictionSettings, Redundancy};
 use crate::friction::solution::{FrictionMethod, FrictionReport, FrictionSolution};
 use crate::law::Law;
 use crate::method_set::MethodSet;
 use crate::report::SolverStatus;
-use crate::settings::FallbackPolicy;
 use crate::solve::way::LEAST_NORM_MOST_ROWS;
 
 /// Share of the diagonal that is added for the first guess (no unit, 0.03 to 0.3).

@@ -9,13 +9,13 @@
 //! or an inverse mass that is not positive definite (a body that some force cannot move), is refused.
 
 use crate::error::{ResponseError, check_length};
+use crate::friction::FallbackPolicy;
 use crate::friction::coulomb_cone::put_parts_into_discs;
 use crate::friction::rows_behind::RowsBehind;
 use crate::friction::{Blocks, BlocksSolution, FrictionMethod, FrictionReport, FrictionSettings, FrictionSolution};
 use crate::law::Law;
 use crate::problem::ContactProblem;
 use crate::report::{Method, SolverReport};
-use crate::settings::FallbackPolicy;
 use crate::sparse::block6::{Block6, WIDTH, ZERO};
 use crate::sparse::body::BodyMass;
 use crate::sparse::problem::{BodyProblem, BodyRows};

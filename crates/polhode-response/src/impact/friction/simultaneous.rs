@@ -26,8 +26,8 @@ use super::multiple_outcome::MultipleImpactStatus;
 use super::part::{CONE_ENERGY_ROUNDING, ConeAnswer, Part, Struck, energy};
 use crate::dense::kernels::compensated_dot;
 use crate::error::ResponseError;
+use crate::friction::FallbackPolicy;
 use crate::friction::{ContactStatus, FrictionSolution};
-use crate::settings::FallbackPolicy;
 
 /// Rounds of reflections after which bodies count as squeezed, where no rounds need ever end.
 const ROUNDS: usize = 64;
