@@ -9,9 +9,11 @@
 //! | [`way`] | which way a problem of a size goes: all thresholds |
 //! | `without_friction` | rows that push and hold: the active set, beside trees of joints or with all rows |
 //! | [`held`] | rows that hold, by the reactions of least norm |
+//! | [`many`] | blocks of many contacts at an instant |
 //! | [`step`] | blocks with friction over a time step |
 
 pub mod held;
+pub mod many;
 pub mod problem;
 pub mod step;
 pub mod way;

@@ -16,8 +16,8 @@ use crate::rows::assembly::Assembly;
 use crate::rows::frictional_contact::Frictional;
 use polhode_dynamics::BodyState;
 use polhode_response::friction::{ContactStatus, Structure};
+use polhode_response::solve::many::solve_many;
 use polhode_response::solve::way;
-use polhode_response::sparse::{BodySettings, BodySolver};
 use polhode_response::{Blocks, BlocksSolution, Method, ResponseError, SolverStatus};
 use polhode_spatial::DVec3;
 
@@ -49,8 +49,7 @@ pub(super) fn standing(
     if !way::is_plain(&assembly.problem) {
         return Ok(None);
     }
-    let system = (&mut BodySolver::default(), &BodySettings::default());
-    let (solved, _) = blocks.solve_in_bodies(&assembly.problem, constants, None, system)?;
+    let solved = solve_many(&assembly.problem, blocks, constants)?;
     if solved.report.status == SolverStatus::Solved && !solved.statuses.contains(&ContactStatus::Slide) {
         let held = balanced(assembly, blocks, free, frictional, (&solved.reactions, Method::ActiveSet))?;
         if held.is_some() {

@@ -16,7 +16,7 @@ use crate::scene::FrictionEllipse;
 use crate::solve::joint_loads::joint_loads;
 use polhode_contact::TangentialKinematics;
 use polhode_dynamics::BodyState;
-use polhode_response::sparse::{BodySettings, BodySolver};
+use polhode_response::solve::many::solve_many;
 use polhode_response::{Blocks, Law, ResponseError, SolverStatus};
 use polhode_spatial::DVec3;
 
@@ -55,8 +55,7 @@ pub(super) fn forces_of_many(
     blocks.hold(contacts.len()..assembly.first_tangent());
     let kinematics = contacts.iter().map(|touch| (touch.id, &touch.kinematics));
     let constants = assembly.acceleration_constants(model, t, states, &free, kinematics)?;
-    let system = (&mut BodySolver::default(), &BodySettings::default());
-    let (solved, _) = blocks.solve_in_bodies(&assembly.problem, &constants, None, system)?;
+    let solved = solve_many(&assembly.problem, &blocks, &constants)?;
     if solved.report.status != SolverStatus::Solved {
         return Ok(None);
     }
