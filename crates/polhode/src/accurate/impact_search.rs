@@ -186,7 +186,7 @@ impl Schedule {
 
     /// The time up to which the boxes of kinematic bodies are valid, s; infinite without such bodies.
     pub(super) fn end_of_kinematic_boxes(&self, core: &Core, t: f64) -> f64 {
-        let bounds = !prescribed::prescribed(&core.model).is_empty() && self.near.flight_end > t;
+        let bounds = !core.model.prescribed.is_empty() && self.near.flight_end > t;
         if bounds { self.near.flight_end } else { f64::INFINITY }
     }
 

@@ -176,7 +176,7 @@ impl Motions {
 
     /// Restores the copy of the states after it was used for these bodies and for kinematic ones.
     pub(super) fn restore_scratch(&mut self, core: &Core, mut scratch: Vec<BodyState>, bodies: &[usize]) {
-        for &body in bodies.iter().chain(prescribed::prescribed(&core.model)) {
+        for &body in bodies.iter().chain(&core.model.prescribed) {
             scratch[body] = self.states[body];
         }
         self.scratch = scratch;

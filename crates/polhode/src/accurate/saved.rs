@@ -99,7 +99,7 @@ impl Engine {
     /// resolved it is empty.
     fn rebuild_agenda(&mut self, core: &Core) {
         if self.begun {
-            for &body in prescribed::prescribed(&core.model) {
+            for &body in &core.model.prescribed {
                 // A corner at the time of the snapshot may be due still. One that has been passed changes nothing.
                 self.schedule.expect_corner(core, body, core.t.next_down());
             }

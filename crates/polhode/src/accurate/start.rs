@@ -9,7 +9,7 @@ use crate::collision::boxes::Boxes;
 use crate::collision::touch::{Hold, Touch};
 use crate::collision::{contact_kinematics, contact_set};
 use crate::error::SimulationError;
-use crate::model::{prescribed, tolerances};
+use crate::model::tolerances;
 use crate::rows::groups::{coupled_groups, groups};
 use crate::scene::few_digits::length;
 use crate::solve::projection;
@@ -66,10 +66,10 @@ impl Engine {
             self.resolve(core, &mut instant)?;
             firsts.extend(self.form_islands(core, instant)?);
         }
-        if !prescribed::prescribed(&core.model).is_empty() {
+        if !core.model.prescribed.is_empty() {
             self.schedule.begin_flight_boxes(core, core.t);
         }
-        for &body in prescribed::prescribed(&core.model) {
+        for &body in &core.model.prescribed {
             self.schedule.expect_corner(core, body, core.t);
         }
         let unmoved = |body: &usize| matches!(self.motions.tracks[*body].mode, Mode::Fixed | Mode::Prescribed);

@@ -26,11 +26,6 @@ use polhode_contact::ContactGeometry;
 use polhode_dynamics::BodyState;
 use polhode_spatial::{DVec3, Motion};
 
-/// The kinematic bodies, ascending.
-pub(crate) fn prescribed(model: &Model) -> &[usize] {
-    &model.prescribed
-}
-
 /// Motion of the moving frame of a kinematic body; none for other bodies.
 pub(crate) fn trajectory(model: &Model, body: usize) -> Option<&Trajectory> {
     model.bodies[body].trajectory.as_ref()
@@ -361,7 +356,7 @@ mod tests {
         for motion in motions()? {
             let trajectory = motion.from_pose(&motion.initial_pose(&Pose::IDENTITY));
             let (model, states) = model(motion, Shape::sphere(0.4)?, Shape::sphere(0.4)?)?;
-            assert_eq!((prescribed(&model), model.movable.as_slice()), (&[TABLE][..], &[BODY][..]));
+            assert_eq!((model.prescribed.as_slice(), model.movable.as_slice()), (&[TABLE][..], &[BODY][..]));
             for t in [0.0, 0.35, 3.0] {
                 let now = states_at(&model, &states, t);
                 let sample = reported::sample(&model, TABLE, &now[TABLE]);

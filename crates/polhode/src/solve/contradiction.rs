@@ -10,7 +10,7 @@
 
 use crate::constraint::ConstraintId;
 use crate::error::SimulationError;
-use crate::model::{Model, prescribed};
+use crate::model::Model;
 use crate::rows::assembly::Assembly;
 use polhode_dynamics::BodyState;
 use polhode_response::ResponseError;
@@ -46,7 +46,7 @@ fn contradicted(model: &Model, t: f64, states: &[BodyState], bodies: &[usize]) -
     let constants = assembly.acceleration_constants(model, t, states, &still, std::iter::empty())?;
     let largest = constants.iter().fold(0.0_f64, |most, own| most.max(own.abs()));
     // Terms of motions that cancel leave the rounding of their parts.
-    let parts = bodies.iter().chain(prescribed::prescribed(model)).map(|&body| {
+    let parts = bodies.iter().chain(&model.prescribed).map(|&body| {
         let velocity = model.velocity(body, &states[body]);
         let turning = velocity.angular.length();
         turning * (turning * model.bodies[body].size + velocity.linear.length())

@@ -188,7 +188,7 @@ pub(crate) fn accelerations_under(
     let model = &core.model;
     let fields = model.loads(core.t, states);
     let mut out = vec![Acceleration { linear: DVec3::ZERO, angular: DVec3::ZERO }; model.bodies.len()];
-    for &body in prescribed::prescribed(model) {
+    for &body in &model.prescribed {
         let (linear, angular) = prescribed::prescribed_acceleration(model, body, core.t);
         out[body] = Acceleration { linear, angular };
     }
