@@ -33,13 +33,20 @@ fn residual(scene: &Scene, forces: &[f64]) -> f64 {
     natural_map_residual(&delassus, forces, &w, &scene.b).unwrap()
 }
 
-/// A beam on three pillars (thesis, Figure 20) rests exactly. What the pillars bear is the verify case RC-07.
+/// Case RC-07 (thesis, Figure 20): the beam on three pillars rests exactly; the least forces share the load; without
+/// the middle or the right pillar the forces are unique.
 #[test]
 fn beam_on_pillars() {
     let three = beam(&[-1.0, 0.0, 1.0]);
     let solution = solve(&three);
     assert_eq!(solution.residual_accelerations, [0.0; 3]);
     assert_close(&three.accelerations(&solution.forces), &[0.0; 3], 1e-14);
+    let forces = least(&three, &solution);
+    assert_close(&forces, &[3.27; 3], 3.27e-12);
+    assert_close(&[forces.iter().sum::<f64>(), forces[0] - forces[2]], &[GRAVITY, 0.0], 1e-12);
+    assert_close(&least(&beam(&[-1.0, 1.0]), &solve(&beam(&[-1.0, 1.0]))), &[4.905; 2], 4.905e-13);
+    let two = beam(&[-1.0, 0.0]);
+    assert_close(&least(&two, &solve(&two)), &[0.0, GRAVITY], 1e-12);
 }
 
 /// Case RC-17: a table on four legs with a weight off the middle stands on its legs as on equal springs.

@@ -154,8 +154,37 @@ fn two_bodies_by_equation_14() {
     }
 }
 
-/// The stick of Appendix C (verify case IM-02) on the border: for I = tan^2(pi / (2k + 1)) the other end stops at
-/// exactly 0 after k impulses; the sign of rounding must not add one, nor pass for a sequence that was cut off.
+/// Case IM-02: the stick of Appendix C under the propagation law: number of impulses, end velocities, motion.
+#[test]
+fn stick_of_appendix_c() {
+    // Inertia, N, velocities of the end hit last and of the other, v', |w'|.
+    let table = [
+        (0.02, 11, 1.357_900_442_942_394_9, 0.639_517_520_210_672_5, 0.998_708_981_576_533_8, 0.359_191_461_365_861_2),
+        (0.05, 7, 1.274_121_293_185_219_3, 0.722_065_501_720_384_3, 0.998_093_397_452_801_9, 0.276_027_895_732_417_54),
+        (0.1, 5, 1.245_884_843_931_425_4, 0.747_905_942_837_983, 0.996_895_393_384_704_2, 0.248_989_450_546_721_22),
+        (0.2, 4, 13.0 / 27.0, 119.0 / 81.0, 79.0 / 81.0, 40.0 / 81.0),
+        (1.0 / 3.0, 3, 1.0, 1.0, 1.0, 0.0),
+        (0.5, 3, 1.0 / 9.0, 43.0 / 27.0, 23.0 / 27.0, 20.0 / 27.0),
+        (0.75, 2, 9.0 / 7.0, 31.0 / 49.0, 47.0 / 49.0, 16.0 / 49.0),
+        (1.0, 2, 1.0, 1.0, 1.0, 0.0),
+    ];
+    for (inertia, count, last, other, v, w) in table {
+        let (outcome, after) = strike(&stick(inertia), ImpactLaw::Propagation, &[-1.0, 0.0], &[1.0; 2]);
+        assert_eq!(outcome.applications.len(), count, "I = {inertia}");
+        assert_eq!(outcome.status, ImpactStatus::Separated);
+        let struck = outcome.applications[count - 1].row;
+        let ends = [outcome.velocities_after[struck], outcome.velocities_after[1 - struck]];
+        assert_relative(&ends, &[last, other], 1e-13);
+        assert_relative(&[after[0], after[1].abs()], &[v, w], 1e-13);
+        assert!(outcome.energy_change.abs() < 1e-14);
+    }
+    let (outcome, _) = strike(&stick(1.0 / 3.0), ImpactLaw::Propagation, &[-1.0, 0.0], &[1.0; 2]);
+    let impulses: Vec<f64> = outcome.applications.iter().map(|application| application.impulse).collect();
+    assert_relative(&impulses, &[0.5, 1.0, 0.5], 1e-14);
+}
+
+/// Case IM-02, borderline: for I = tan^2(pi / (2k + 1)) the other end stops at exactly 0 after k impulses; the sign of
+/// rounding must not add one, nor pass for a sequence that was cut off.
 #[test]
 fn borderline_stick_stops_at_zero() {
     for k in 2..=4_u32 {
@@ -212,20 +241,32 @@ fn stick_with_restitution() {
     }
 }
 
-/// Newton's cradle by reflection, equal balls: two out for two in, and with e < 1 what is lost is lost by all. The
-/// other laws are the verify case IM-04 (thesis, Figure 16).
+/// Case IM-04 and the like: Newton's cradle by the three laws (thesis, Figure 16).
 #[test]
-fn cradles_by_reflection() {
+fn cradles() {
+    use ImpactLaw::{Propagation, Reflection, Simultaneous};
+    /// Masses, velocities before, restitution, law, velocities after.
+    type Cradle<'a> = (&'a [f64], &'a [f64], f64, ImpactLaw, Vec<f64>);
     let third = 1.0 / 3.0;
-    let cases: [(&[f64], f64, &[f64]); 2] = [
-        (&[1.0, 1.0, 0.0, 0.0, 0.0], 1.0, &[0.0, 0.0, 0.0, 1.0, 1.0]),
-        (&[1.0, 0.0, 0.0], 0.5, &[0.5 * third, 0.5 * third, 2.0 * third]),
+    let cases: Vec<Cradle<'_>> = vec![
+        (&[1.0; 3], &[1.0, 0.0, 0.0], 1.0, Propagation, vec![0.0, 0.0, 1.0]),
+        (&[1.0; 3], &[1.0, 0.0, 0.0], 1.0, Reflection, vec![0.0, 0.0, 1.0]),
+        (&[1.0; 3], &[1.0, 0.0, 0.0], 1.0, Simultaneous, vec![-third, 2.0 * third, 2.0 * third]),
+        (&[1.0; 4], &[1.0, 0.0, 0.0, 0.0], 1.0, Simultaneous, vec![-0.5, 0.5, 0.5, 0.5]),
+        (&[1.0; 5], &[1.0, 0.0, 0.0, 0.0, 0.0], 1.0, Simultaneous, vec![-0.6, 0.4, 0.4, 0.4, 0.4]),
+        (&[1.0; 5], &[1.0, 1.0, 0.0, 0.0, 0.0], 1.0, Propagation, vec![0.0, 0.0, 0.0, 1.0, 1.0]),
+        (&[1.0; 5], &[1.0, 1.0, 0.0, 0.0, 0.0], 1.0, Reflection, vec![0.0, 0.0, 0.0, 1.0, 1.0]),
+        (&[1.0; 5], &[1.0, 1.0, 0.0, 0.0, 0.0], 1.0, Simultaneous, vec![-0.2, -0.2, 0.8, 0.8, 0.8]),
+        (&[1.0; 3], &[1.0, 0.0, 0.0], 0.5, Propagation, vec![13.0 / 64.0, 15.0 / 64.0, 9.0 / 16.0]),
+        (&[1.0; 3], &[1.0, 0.0, 0.0], 0.5, Simultaneous, vec![0.0, 0.5, 0.5]),
+        (&[1.0; 3], &[1.0, 0.0, 0.0], 0.5, Reflection, vec![0.5 * third, 0.5 * third, 2.0 * third]),
+        (&[1.0, 2.0, 4.0], &[1.0, 0.0, 0.0], 1.0, Propagation, vec![-third, -2.0 / 9.0, 4.0 / 9.0]),
+        (&[1.0, 2.0, 4.0], &[1.0, 0.0, 0.0], 1.0, Simultaneous, vec![-5.0 / 7.0, 2.0 / 7.0, 2.0 / 7.0]),
     ];
-    for (before, e, after) in cases {
-        let scene = cradle(&vec![1.0; before.len()]);
-        let (outcome, found) = strike(&scene, ImpactLaw::Reflection, before, &vec![e; before.len() - 1]);
-        assert_relative(&found, after, 1e-14);
-        assert_eq!(outcome.status, ImpactStatus::Separated);
+    for (masses, before, e, law, after) in cases {
+        let (outcome, found) = strike(&cradle(masses), law, before, &vec![e; masses.len() - 1]);
+        assert_relative(&found, &after, 1e-14);
+        assert_eq!(outcome.status, ImpactStatus::Separated, "{law:?}");
     }
 }
 

@@ -20,23 +20,29 @@ fn assert_close(found: &[f64], expected: &[f64], tolerance: f64) {
     assert!(worst <= tolerance, "{found:?} {expected:?}: {worst:e}");
 }
 
-/// A beam over the edge of a table. The least sum of forces is at the wrong contact (verify case RC-08, which has the
-/// exact forces too); the guess from it is right.
+/// Case RC-08: a beam over the edge of a table. The least sum of forces is at the wrong contact; the guess from it is
+/// right.
 #[test]
 fn beam_over_the_edge_of_a_table() {
     let scene = unit_body(&[&[1.0, 0.5], &[1.0, 2.0]]);
     assert_close(scene.problem.delassus().row(0), &[1.25, 2.0], 0.0);
+    let exact = solve(&scene);
+    assert_close(&exact.forces, &[0.8, 0.0], 1e-14);
+    assert_close(&exact.residual_accelerations, &[0.0, 0.6], 1e-14);
     let answer = least_force(&scene.problem.delassus(), &scene.b, &SolverSettings::default()).unwrap();
+    assert_close(answer.least_sum.as_deref().unwrap(), &[0.0, 0.5], 1e-14);
     assert_eq!(answer.stage, LeastForceStage::GuessOfVanishing);
     assert_close(&answer.forces, &[0.8, 0.0], 1e-14);
     assert_eq!(answer.report.status, SolverStatus::Solved);
 }
 
-/// A plate on three contacts: both guesses fail, the thesis's method injects energy, and says how wrong it may be. The
-/// exact forces are the verify case RC-09.
+/// Case RC-09: both guesses fail, the thesis's method injects energy, and says how wrong it may be.
 #[test]
 fn plate_with_three_contacts() {
     let scene = unit_body(&[&[1.0, 4.0, -1.5], &[1.0, 0.0, 0.5], &[1.0, 3.0, 1.0]]);
+    let exact = solve(&scene);
+    assert_close(&exact.forces, &[1.0 / 24.0, 19.0 / 24.0, 0.0], 1e-13);
+    assert_close(&exact.residual_accelerations, &[0.0, 0.0, 2.0 / 3.0], 1e-13);
     let answer = least_force(&scene.problem.delassus(), &scene.b, &SolverSettings::default()).unwrap();
     assert_eq!(answer.stage, LeastForceStage::LeastSum);
     assert_eq!(answer.report.status, SolverStatus::Inaccurate);

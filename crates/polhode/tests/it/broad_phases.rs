@@ -1,6 +1,6 @@
 //! The broad phase changes no result: every one gives the same bits, in all tiers, while bricks fall, hit and rest.
 
-use crate::support::{diamond, run_even_degraded};
+use crate::support::{Sides, diamond, run_even_degraded};
 use polhode::scene::{BroadPhaseMethod, Method, Tier};
 use polhode::{Effects, Outcome};
 
@@ -9,7 +9,7 @@ fn every_broad_phase_gives_the_same_bits() {
     for tier in [Tier::Accurate, Tier::Thesis, Tier::Stepped] {
         let with = |broad_phase| {
             let method = Method { tier: Some(tier), broad_phase: Some(broad_phase), ..Method::default() };
-            let scene = diamond(5).method(method).duration_s(0.2).output_interval_s(0.05);
+            let scene = diamond(5, Sides::Touch).method(method).duration_s(0.2).output_interval_s(0.05);
             let (report, record) = run_even_degraded(&scene.build().unwrap(), Effects::Planned);
             // The tier `thesis` gains more energy here than a run may, whatever the broad phase.
             assert_eq!(report.outcome == Outcome::Degraded, tier == Tier::Thesis, "{tier:?}: {:?}", report.warnings);

@@ -1,7 +1,7 @@
 //! RK4 and DOP853 integrate constrained motion, with the forces of constraint at every stage.
 
 use crate::checks::{assert_closes, by, numerical_relative};
-use crate::support::{accurate, brick, diamond, floor, run};
+use crate::support::{Sides, accurate, brick, diamond, floor, run};
 use polhode::contact::Shape;
 use polhode::dynamics::integrator::Method as Integrator;
 use polhode::scene::Method;
@@ -99,7 +99,7 @@ fn rk4_is_exact_under_constant_forces() {
     let apart = (report.bodies[1].state.pose.translation - normal * 0.125 - way).length();
     assert!(apart < 1e-12, "{apart:e}");
     assert!(numerical_relative(&report) < 1e-13);
-    let standing = diamond(3).method(by(Integrator::Rk4, 0.01)).duration_s(1.0);
+    let standing = diamond(3, Sides::Touch).method(by(Integrator::Rk4, 0.01)).duration_s(1.0);
     let scene = standing.build().unwrap();
     let (report, _) = run(&scene, Effects::All);
     for (polhode::ReportedBody { state: sample, .. }, body) in report.bodies.iter().zip(scene.bodies()) {

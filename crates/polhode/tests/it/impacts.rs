@@ -1,11 +1,35 @@
-//! Impacts: that low bounces are exact, that runs end or say where they do not, and that no body passes through
-//! another. When a ball whose bounces accumulate comes to rest is the verify case IM-05.
+//! Impacts: when they happen, that bounces accumulate to rest, and that no body passes through another.
 
 use crate::support::{accurate, ball, brick, elastic, floor, run};
 use polhode::contact::Shape;
 use polhode::scene::{Crowding, Method};
 use polhode::spatial::{DVec3, Pose, Rotation, UnitVector, Velocity};
 use polhode::{Body, Effects, EventKind, Geometry, Scene, Simulation, SimulationError};
+
+/// Case IM-05: a ball whose bounces accumulate comes to rest at the exact time, and its tenth impact is at the time
+/// that the geometric series gives.
+#[test]
+fn bouncing_ball_comes_to_rest_at_its_exact_time() {
+    for (e, rest, tenth) in
+        [(0.8, 4.063_712_768_871_578, 3.578_892_951_020_438), (0.5, 1.354_570_922_957_192_7, 1.352_807_158_734_592_2)]
+    {
+        let scene = Scene::builder("bounce")
+            .method(accurate())
+            .duration_s(5.0)
+            .body(floor().material(elastic(e)))
+            .body(ball("ball", 1.0, 0.1, DVec3::new(0.0, 0.0, 1.1), DVec3::ZERO).material(elastic(e)))
+            .build()
+            .unwrap();
+        let (report, recorder) = run(&scene, Effects::Planned);
+        let impacts: Vec<_> = recorder.events.iter().filter(|event| event.kind == EventKind::Impact).collect();
+        assert!((impacts[9].t_s / tenth - 1.0).abs() < 1e-12, "{}", impacts[9].t_s);
+        let rests: Vec<_> = recorder.events.iter().filter(|event| event.kind == EventKind::Rest).collect();
+        assert_eq!(rests.len(), 1);
+        assert!((rests[0].t_s / rest - 1.0).abs() < 1e-9, "{}", rests[0].t_s);
+        assert!(report.bodies[1].state.velocity.is_zero());
+        assert!(report.ledger.closure_relative() < 1e-12);
+    }
+}
 
 /// A ball bounces a few micrometres high, half a metre from the origin. Its position is rounded to 1e-11 of that
 /// height, and its bounces are exact to 2e-12 all the same. (With impacts found only to the rounding of positions, the

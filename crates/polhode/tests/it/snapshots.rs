@@ -1,7 +1,7 @@
 //! Snapshots: a run that goes on from one has the same bits as a run that was never stopped.
 
 use crate::checks::{heavy_brick, particle};
-use crate::support::{accurate, ball, brick, diamond, elastic, floor};
+use crate::support::{Sides, accurate, ball, brick, diamond, elastic, floor};
 use polhode::contact::Shape;
 use polhode::dynamics::integrator::Method as Integrator;
 use polhode::mesh::solid_box;
@@ -186,7 +186,7 @@ fn bodies_in_air_go_on_with_the_same_bits() {
 #[test]
 fn stacks_go_on_with_the_same_bits() {
     for effects in [Effects::Planned, Effects::All] {
-        check_restored_runs(&diamond(3).duration_s(0.3).build().unwrap(), effects);
+        check_restored_runs(&diamond(3, Sides::Touch).duration_s(0.3).build().unwrap(), effects);
     }
     // Two bricks that fall beside each other onto a third.
     let size = DVec3::new(1.0, 0.5, 0.25);
@@ -271,7 +271,10 @@ fn a_slab_that_begins_to_move_later_moves_after_a_restore_too() {
 #[test]
 fn the_thesis_tier_goes_on_with_the_same_bits() {
     let thesis = Method { tier: Some(Tier::Thesis), step_s: Some(0.004), ..Method::default() };
-    check_restored_runs(&diamond(2).method(thesis.clone()).duration_s(0.2).build().unwrap(), Effects::Planned);
+    check_restored_runs(
+        &diamond(2, Sides::Touch).method(thesis.clone()).duration_s(0.2).build().unwrap(),
+        Effects::Planned,
+    );
     check_restored_runs(&thrown_brick(0.5).method(thesis.clone()).duration_s(0.8).build().unwrap(), Effects::Planned);
     for integrator in Integrator::ALL {
         let method = Method { integrator: Some(integrator), ..thesis.clone() };
@@ -370,7 +373,8 @@ fn signed(mut bytes: Vec<u8>) -> Vec<u8> {
 /// Content that no run has written, with a valid checksum, is refused or restored, and never causes a panic.
 #[test]
 fn forged_content_does_not_panic() {
-    let scenes = [thrown_brick(0.0).build().unwrap(), chain(by(Integrator::Rk4)), diamond(2).build().unwrap()];
+    let scenes =
+        [thrown_brick(0.0).build().unwrap(), chain(by(Integrator::Rk4)), diamond(2, Sides::Touch).build().unwrap()];
     for scene in scenes {
         let mut simulation = Simulation::new(&scene).unwrap();
         simulation.advance_to(0.45).unwrap();

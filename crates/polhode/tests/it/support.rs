@@ -3,7 +3,7 @@
 use polhode::contact::Shape;
 use polhode::scene::{Material, Method, Tier};
 use polhode::spatial::{DVec3, Density, Inertia, Mass, MassProperties, Pose, UnitVector, Velocity};
-use polhode::{Body, Effects, Geometry, Outcome, Recorder, RunReport, Scene, SceneBuilder, Simulation, mesh};
+use polhode::{Body, BodyId, Effects, Geometry, Outcome, Recorder, RunReport, Scene, SceneBuilder, Simulation, mesh};
 
 /// Runs a scene, which must keep what its method promises, and keeps everything.
 #[track_caller]
@@ -52,15 +52,28 @@ pub(crate) fn ball(name: &str, mass: f64, radius: f64, center: DVec3, velocity: 
         .velocity(Velocity::new(velocity, DVec3::ZERO))
 }
 
+/// Whether bricks of one row of a diamond may touch.
+#[derive(Clone, Copy, PartialEq)]
+pub(crate) enum Sides {
+    Touch,
+    Ignore,
+}
+
 /// The m-diamond of Videos 12-15: rows of 1, 2, .. m, .. 2, 1 bricks 1 x 0.5 x 0.25 m on a floor.
-pub(crate) fn diamond(m: usize) -> SceneBuilder {
+pub(crate) fn diamond(m: usize, sides: Sides) -> SceneBuilder {
     let size = DVec3::new(1.0, 0.5, 0.25);
     let mut builder = Scene::builder(format!("diamond-{m}")).method(accurate()).body(floor());
+    let mut number = 1;
     for row in 1..2 * m {
         let count = if row <= m { row } else { 2 * m - row };
+        let members: Vec<usize> = (number..number + count).collect();
         for column in 0..count {
             let center = DVec3::new(column as f64 - 0.5 * (count as f64 - 1.0), 0.0, 0.25 * (row as f64 - 0.5));
             builder = builder.body(brick(&format!("r{row}c{}", column + 1), size, center));
+        }
+        number += count;
+        if sides == Sides::Ignore {
+            builder = builder.no_contact(members.into_iter().map(BodyId::new));
         }
     }
     builder
