@@ -19,12 +19,15 @@ const COLD: f64 = 25.0;
 /// Heaps whose first step takes more: contacts open, close, stick and slide in it.
 const LONGER_FIRST_STEPS: [&str; 2] = ["40 boxes", "1e6 kg on nine"];
 
-/// Factorisations that 99 of 100 steps of a settling heap are to take: what is aimed at. While bodies meet, contacts
-/// open, close, stick and slide in every step, so that the interior point begins anew (20 to 50 factorisations); the
-/// warm start serves steps in which nothing changes.
+/// Factorisations that 99 of 100 steps of a settling heap may take, where this is reached; elsewhere it is what is
+/// aimed at. While bodies meet, contacts open, close, stick and slide in every step, so that the interior point begins
+/// anew (20 to 50 factorisations); the warm start serves steps in which nothing changes.
 const SETTLING: u64 = 4;
 
-/// The part of steps that are to take more.
+/// Heaps in which more steps than that take more.
+const LONGER_STEPS: [&str; 4] = ["60 balls", "40 boxes", "pyramid of 55, pushed", "1e6 kg on nine"];
+
+/// The part of steps that may take more.
 const FEW_STEPS: f64 = 0.01;
 
 /// Overlap that may be left at the end of a step, relative to the size.
@@ -124,7 +127,12 @@ pub(super) fn rows(_: &Context) -> CaseResult {
             Row::at_most(CASE, &quantity, COLD, cold as f64)
         });
         let part = more as f64 / STEPS as f64;
-        rows.push(Row::info(CASE, &format!("{name}: part of steps with more than {SETTLING}"), FEW_STEPS, part));
+        let quantity = format!("{name}: part of steps with more than {SETTLING}");
+        rows.push(if LONGER_STEPS.contains(&name) {
+            Row::info(CASE, &quantity, FEW_STEPS, part)
+        } else {
+            Row::at_most(CASE, &quantity, FEW_STEPS, part)
+        });
         rows.push(Row::at_most(CASE, &format!("{name}: overlap, m"), OVERLAP, told.overlap_m));
     }
     Ok(rows)
