@@ -302,6 +302,33 @@ impl ContactProblem {
         Ok(self.rows.len() - 1)
     }
 
+    /// The bodies with these of the rows, in this order, whatever their laws of friction.
+    pub(crate) fn with_rows(&self, rows: &[usize]) -> Self {
+        let (bodies, inverse_masses) = (self.bodies, self.inverse_masses.clone());
+        let blocks = |of: &[f64]| {
+            let own = |&row: &usize| &of[2 * row * self.width..2 * (row + 1) * self.width];
+            rows.iter().flat_map(own).copied().collect::<Vec<f64>>()
+        };
+        let place = |row: usize| rows.iter().position(|own| *own == row);
+        let compliances = self.compliances.iter().filter_map(|&(row, own)| Some((place(row)?, own))).collect();
+        let others =
+            self.others.iter().filter_map(|other| Some(OtherEntry { row: place(other.row)?, ..other.clone() }));
+        let mut others: Vec<OtherEntry> = others.collect();
+        others.sort_by_key(|other| other.row);
+        Self {
+            width: self.width,
+            bodies,
+            inverse_masses,
+            rows: rows.iter().map(|&row| self.rows[row]).collect(),
+            holds: rows.iter().map(|&row| self.holds[row]).collect(),
+            compliances,
+            frictional: Vec::new(),
+            others,
+            jacobian: blocks(&self.jacobian),
+            response: blocks(&self.response),
+        }
+    }
+
     /// Removes all rows and keeps the bodies and the memory.
     pub fn clear_rows(&mut self) {
         self.rows.clear();

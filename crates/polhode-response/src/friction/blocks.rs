@@ -148,6 +148,16 @@ impl Blocks {
         self.laws.is_empty()
     }
 
+    /// How many of them are contacts.
+    pub(crate) fn contacts(&self) -> usize {
+        self.laws.iter().filter(|law| law.pushes()).count()
+    }
+
+    /// Whether some contact has rows that friction acts along.
+    pub(crate) fn have_friction(&self) -> bool {
+        self.laws.iter().any(|law| law.has_friction())
+    }
+
     /// The law of each block.
     pub fn laws(&self) -> &[Law] {
         &self.laws

@@ -1,6 +1,7 @@
 //! Rows that hold, by the reactions of least norm: joints under given loads.
 
 use super::way;
+use crate::delassus::Delassus;
 use crate::error::ResponseError;
 use crate::least_norm_hold::LeastNormHold;
 use crate::problem::ContactProblem;
@@ -43,4 +44,39 @@ pub fn hold_all(rows: &ContactProblem, constants: &[f64]) -> Result<Held, Respon
     let reactions = LeastNormHold::factor(&delassus)?.solve(&delassus, constants)?;
     let left = delassus.times(&reactions)?.iter().zip(constants).map(|(given, constant)| given + constant).collect();
     Ok(Held { reactions, left })
+}
+
+/// Rows that hold whose reactions may not be determined: those of a mechanism with more supports than it needs.
+#[derive(Debug)]
+pub struct Supports {
+    delassus: Delassus,
+    hold: LeastNormHold,
+}
+
+impl Supports {
+    /// Those of these rows.
+    ///
+    /// # Errors
+    /// When a number is not finite.
+    pub fn of(rows: &ContactProblem) -> Result<Self, ResponseError> {
+        let delassus = rows.delassus();
+        Ok(Self { hold: LeastNormHold::factor(&delassus)?, delassus })
+    }
+
+    /// The part of some reactions that others may bear as well (no unit): 0 where they are determined. Rows that
+    /// nothing can move, as those across the plane of a planar motion, bear nothing of them.
+    ///
+    /// # Errors
+    /// When there is not one reaction for each row, or one is not finite.
+    pub fn open_part(&self, mut reactions: Vec<f64>) -> Result<f64, ResponseError> {
+        for (row, reaction) in reactions.iter_mut().enumerate() {
+            *reaction *= f64::from(u8::from(self.delassus.get(row, row) > 0.0));
+        }
+        let undone: Vec<f64> = self.delassus.times(&reactions)?.iter().map(|rate| -rate).collect();
+        let least = self.hold.solve(&self.delassus, &undone)?;
+        let product = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+        let whole = product(&reactions, &reactions);
+        let left = (whole - product(&reactions, &least)).abs();
+        Ok(if whole > 0.0 { left / whole } else { 0.0 })
+    }
 }

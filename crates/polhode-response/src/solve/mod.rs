@@ -1,29 +1,39 @@
 //! The one entry for all problems of rows: it chooses matrix, method and start.
 //!
 //! A caller says what must hold (rows, their laws, their constant terms) and what it asks for ([`Ask`]), and reads what
-//! it took. Nobody else chooses.
+//! it took ([`Answer`]). Nobody else chooses.
 //!
 //! | module | holds |
 //! |---|---|
 //! | [`problem`] | [`Ask`], [`RowProblem`], [`Memory`] |
+//! | [`answer`] | [`Answer`] |
 //! | [`way`] | which way a problem of a size goes: all thresholds |
 //! | `without_friction` | rows that push and hold: the active set, beside trees of joints or with all rows |
+//! | [`instant`] | blocks with friction at an instant, and at rest |
+//! | `stage` | rows that hold while contacts slide as they are said to |
+//! | [`impact`] | impulses of impacts, with friction or without |
 //! | [`held`] | rows that hold, by the reactions of least norm |
+//! | [`removal`] | what takes gaps and velocities out of rows that hold |
 //! | [`many`] | blocks of many contacts at an instant |
 //! | [`step`] | blocks with friction over a time step |
 
+pub mod answer;
 pub mod held;
+pub mod impact;
+pub mod instant;
 pub mod many;
 pub mod problem;
+pub mod removal;
+mod stage;
 pub mod step;
 pub mod way;
 mod without_friction;
 
+pub use answer::{Answer, Choice, Share};
 pub use problem::{Ask, Memory, RowProblem};
 
-use crate::complementarity::ContactSolution;
 use crate::error::{ResponseError, check_length};
-use crate::friction::{Blocks, FrictionSettings};
+use crate::friction::Blocks;
 
 /// Solves for the reactions of rows: forces (N), impulses (N s), or what displaces bodies.
 ///
@@ -35,7 +45,7 @@ use crate::friction::{Blocks, FrictionSettings};
 ///     let mut rows = ContactProblem::new(2, vec![0.5, 0.0, 0.0, 0.5])?;
 ///     rows.push_block(Law::Cone { rows: 2, friction }, &[&[(0, &[0.0, 1.0])], &[(0, &[1.0, 0.0])]])?;
 ///     let found = solve(&RowProblem::new(&rows, &[-10.0, 4.0]), Ask::Instant, &mut Memory::default())?;
-///     assert!((found.residual_accelerations[1] - acceleration).abs() < 1e-12);
+///     assert!((found.velocities[1] - acceleration).abs() < 1e-12);
 /// }
 /// # Ok::<(), polhode_response::ResponseError>(())
 /// ```
@@ -45,22 +55,26 @@ use crate::friction::{Blocks, FrictionSettings};
 /// # Errors
 /// When a list has another length than the problem has rows, or a number is not finite.
 #[cfg_attr(feature = "census", track_caller)]
-pub fn solve(problem: &RowProblem<'_>, ask: Ask, memory: &mut Memory) -> Result<ContactSolution, ResponseError> {
+pub fn solve(problem: &RowProblem<'_>, ask: Ask<'_>, memory: &mut Memory) -> Result<Answer, ResponseError> {
+    if let (Ask::Stage, Some(blocks)) = (ask, problem.blocks) {
+        return stage::solve(problem, blocks);
+    }
     check_length("constant terms", problem.rows.len(), problem.constants.len())?;
+    if let Some(blocks) = problem.blocks {
+        if let Some(found) = instant::solve_sparse(problem, blocks, ask)? {
+            return Ok(found);
+        }
+        if blocks.have_friction() {
+            return instant::solve(problem, blocks, ask);
+        }
+    }
     if problem.rows.has_friction() {
-        let (delassus, settings) = (problem.rows.delassus(), FrictionSettings::default());
-        let solved = Blocks::of(problem.rows).solve(&delassus, problem.constants, None, &settings)?;
-        return Ok(ContactSolution {
-            forces: solved.reactions,
-            residual_accelerations: solved.velocities,
-            report: solved.report,
-            ..ContactSolution::default()
-        });
+        return instant::solve(problem, &Blocks::of(problem.rows), ask);
     }
     if let Ask::Displacement { accuracy } = ask
         && let Some(found) = without_friction::displacements(problem, accuracy)?
     {
         return Ok(found);
     }
-    without_friction::active_set(problem, memory)
+    Ok(without_friction::active_set(problem, memory)?.into())
 }

@@ -83,7 +83,7 @@ impl StepMemory {
 
     /// The problem of some rows; `start` gives reactions of a similar problem, one for each row, where they are used.
     pub fn problem<'a>(&'a mut self, rows: &StepRows<'a>, start: impl FnOnce() -> Option<Vec<f64>>) -> StepProblem<'a> {
-        let in_bodies = rows.group.filter(|_| is_in_bodies(rows.rows, rows.contacts));
+        let in_bodies = rows.group.filter(|_| way::is_in_bodies(rows.rows, rows.contacts));
         let system = if let Some(first) = in_bodies {
             System::Bodies { solver: self.solvers.entry(first).or_default(), start: start() }
         } else if let Some(forest) = way::trees(rows.rows, rows.joints.clone()) {
@@ -97,11 +97,6 @@ impl StepMemory {
         let most_rows = if self.rounds_of_sweeps > 0 { STEP_MOST_ROWS_IN_HEAPS } else { STEP_MOST_ROWS };
         StepProblem { rows: rows.rows, constants: rows.constants, system, settings, most_rows, factorisations: 0 }
     }
-}
-
-/// Whether the rows of so many contacts are solved for in the velocities of bodies.
-pub fn is_in_bodies(rows: &ContactProblem, contacts: usize) -> bool {
-    way::are_many(contacts) && way::is_plain(rows)
 }
 
 /// The problem of one group.

@@ -58,6 +58,9 @@ pub(crate) const REDUCED_FRONT: usize = 96;
 /// Rows up to which the dense factor of a programme over cones is formed.
 pub(crate) const CONE_PROGRAMME_MOST_ROWS: usize = 1500;
 
+/// Coordinates of the velocity of a body in space.
+const SPACE_WIDTH: usize = 6;
+
 /// Two bodies with more contacts than this have many (no unit, 26 to 64): more than any two of the basic shapes have.
 const MANY_OF_A_PAIR: usize = 32;
 
@@ -66,9 +69,16 @@ pub const fn are_many(contacts: usize) -> bool {
     contacts >= STEP_IN_BODIES
 }
 
-/// Whether so many contacts of bodies at rest are many.
-pub const fn are_many_at_rest(contacts: usize) -> bool {
-    contacts >= REST_IN_BODIES
+/// Whether so many contacts of a problem are many, and can be solved for in the velocities of bodies.
+pub fn is_in_bodies(problem: &ContactProblem, contacts: usize) -> bool {
+    are_many(contacts) && is_plain(problem)
+}
+
+/// Whether the contacts of bodies at rest are many; in a plane, where a velocity has fewer coordinates, each counts as
+/// two.
+pub(super) fn is_many_at_rest(problem: &ContactProblem, contacts: usize) -> bool {
+    let each_for = if problem.width() < SPACE_WIDTH { 2 } else { 1 };
+    each_for * contacts >= REST_IN_BODIES
 }
 
 /// Whether so many contacts of one pair of bodies are many: some of them stand for all.

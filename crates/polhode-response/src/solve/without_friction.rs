@@ -1,5 +1,6 @@
 //! Rows that push and rows that hold.
 
+use super::answer::Answer;
 use super::problem::{Memory, RowProblem};
 use super::way::{self, DISPLACEMENT_IN_BODIES};
 use crate::complementarity::ContactSolution;
@@ -13,7 +14,7 @@ use crate::sparse::{BodySettings, BodySolver};
 /// By the active set: beside the trees of joints, or with the matrix of all rows.
 #[cfg_attr(feature = "census", track_caller)]
 pub(super) fn active_set(problem: &RowProblem<'_>, memory: &mut Memory) -> Result<ContactSolution, ResponseError> {
-    let RowProblem { rows, joints, constants, start, noise_floor } = problem;
+    let RowProblem { rows, joints, constants, start, noise_floor, .. } = problem;
     let Memory { active_set, delassus } = memory;
     active_set.set_settings(SolverSettings { noise_floor: *noise_floor, ..SolverSettings::default() });
     let found = if let Some(forest) = way::trees(rows, joints.clone()) {
@@ -30,7 +31,7 @@ pub(super) fn active_set(problem: &RowProblem<'_>, memory: &mut Memory) -> Resul
 /// What removes many overlaps, found in the displacements of bodies: without a matrix of their rows, which grows with
 /// the square of their number. None for few, or where it is not found.
 #[cfg_attr(feature = "census", track_caller)]
-pub(super) fn displacements(problem: &RowProblem<'_>, accuracy: f64) -> Result<Option<ContactSolution>, ResponseError> {
+pub(super) fn displacements(problem: &RowProblem<'_>, accuracy: f64) -> Result<Option<Answer>, ResponseError> {
     let (rows, joints) = (problem.rows, &problem.joints);
     let contacts = rows.len() - joints.len();
     if contacts < DISPLACEMENT_IN_BODIES || !rows.is_of_pairs() {
@@ -45,10 +46,5 @@ pub(super) fn displacements(problem: &RowProblem<'_>, accuracy: f64) -> Result<O
         BodySettings { tolerance: accuracy, acceptance: accuracy, rounds_of_sweeps: 1, ..BodySettings::default() };
     let system = (&mut BodySolver::default(), &settings);
     let (solved, _) = blocks.solve_in_bodies(rows, problem.constants, None, system)?;
-    Ok((solved.report.status == SolverStatus::Solved).then(|| ContactSolution {
-        forces: solved.reactions,
-        residual_accelerations: solved.velocities,
-        report: solved.report,
-        ..ContactSolution::default()
-    }))
+    Ok((solved.report.status == SolverStatus::Solved).then(|| Answer::from(solved)))
 }

@@ -43,7 +43,7 @@ fn one_entry_solves_cones_and_contacts_without_friction() {
         assert_eq!((own, problem.has_friction()), (0..3, true));
         let mut memory = Memory::default();
         let solution = solve(&RowProblem::new(&problem, &b), Ask::Instant, &mut memory).unwrap();
-        for (found, expected) in solution.residual_accelerations.iter().zip([0.0, 3.0 * share, 4.0 * share]) {
+        for (found, expected) in solution.velocities.iter().zip([0.0, 3.0 * share, 4.0 * share]) {
             assert!((found - expected).abs() < 1e-12, "{friction}: {found} for {expected}");
         }
         let again = solve(&RowProblem::new(&problem, &b), Ask::Instant, &mut memory).unwrap();
@@ -54,7 +54,7 @@ fn one_entry_solves_cones_and_contacts_without_friction() {
     let mut smooth = mass_point();
     smooth.push_row(z).unwrap();
     let solution = solve(&RowProblem::new(&smooth, &[-10.0]), Ask::Instant, &mut Memory::default()).unwrap();
-    assert_eq!((solution.forces, solution.residual_accelerations), (vec![10.0], vec![0.0]));
+    assert_eq!((solution.reactions, solution.velocities), (vec![10.0], vec![0.0]));
 }
 
 /// The rounding that the constant terms of one problem carry is not that of the next: a memory changes no answer. A
@@ -70,11 +70,11 @@ fn the_noise_of_one_problem_is_not_that_of_the_next() {
     let mut memory = Memory::default();
     let noisy = RowProblem { noise_floor: 1.0, ..RowProblem::new(&smooth, &[-1e-3, -2e-3]) };
     let unmoved = solve(&noisy, Ask::Displacement { accuracy: 1e-12 }, &mut memory).unwrap();
-    assert_eq!(unmoved.forces, [0.0, 0.0]);
+    assert_eq!(unmoved.reactions, [0.0, 0.0]);
     let exact = RowProblem::new(&smooth, &[-1e-3, -2e-3]);
     let found = solve(&exact, Ask::Instant, &mut memory).unwrap();
     assert_eq!(found, solve(&exact, Ask::Instant, &mut Memory::default()).unwrap());
-    assert!(found.forces.iter().all(|force| *force > 0.0));
+    assert!(found.reactions.iter().all(|force| *force > 0.0));
 }
 
 /// What is no coefficient of friction is refused, and so is a block with another number of rows than its law has.

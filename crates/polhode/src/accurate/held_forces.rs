@@ -4,10 +4,10 @@
 //! forces of pivots; a contact that slides along `d` adds `-mu f_n d`. The equations are `chi'' = 0` of all contacts,
 //! `u_T' = 0` of those that stick, and `a_Q = 0` of pivots. Friction of rolling and of spinning adds a moment for each
 //! rotation that is held, with `w' = 0`, and `-c f_n w / |w|` for one that turns. Where they do not determine the
-//! forces, those of least norm are taken (`polhode_response::least_norm_sliding_forces`), and where something slides
-//! those of least norm within the cones of the contacts that stick (`polhode_response::least_forces_in_cones`). Without
-//! sliding the choice affects neither the motion nor the ledger; with sliding it decides what friction takes, and with
-//! contacts that slide in different directions the motion as well.
+//! forces, those of least norm are taken, and where something slides those of least norm within the cones of the
+//! contacts that stick (`polhode_response::Ask::Stage`). Without sliding the choice affects neither the motion nor the
+//! ledger; with sliding it decides what friction takes, and with contacts that slide in different directions the motion
+//! as well.
 //!
 //! Failure: where no forces lie in the cones, the least ones are taken, with their violation of Coulomb's law. Where
 //! masses differ much, or contacts resist rotations, the least ones are taken without a look at the cones.
@@ -23,18 +23,13 @@ use crate::joints::bilateral::{Bilateral, Reaction};
 use crate::joints::joint_friction::MOST_ROUNDS_OF_BEARINGS;
 use crate::model::{Loads, Model, tolerances};
 use crate::rows::assembly::{Assembly, TangentRow};
-use crate::rows::friction_blocks::push_contact;
+use crate::rows::friction_blocks::{part_of, push_contact};
 use crate::rows::rotation_row::RotationRow;
 use crate::scene::FrictionEllipse;
 use crate::solve::cone_violation::{ConeViolation, RubbingForce, largest_violation};
 use polhode_contact::{ContactGeometry, ContactKinematics, TangentialKinematics};
 use polhode_dynamics::BodyState;
-use polhode_response::solve::way;
-use polhode_response::sparse::{BesideForest, HeldForest};
-use polhode_response::{
-    Blocks, ContactProblem, Delassus, LeastNormForces, ResponseError, SlidingRow, least_forces_in_cones,
-    least_norm_forces, least_norm_sliding_forces,
-};
+use polhode_response::{Answer, Ask, Blocks, Law, Memory, Resistance, ResponseError, RowProblem};
 use polhode_spatial::DVec3;
 use std::ops::Range;
 
@@ -75,9 +70,10 @@ impl FrictionContact {
         TangentRow::new(self.id, &self.geometry, &self.terms, tangent)
     }
 
-    /// The rows along the tangents along which it may slip.
-    fn tangent_rows(&self) -> impl Iterator<Item = TangentRow> + '_ {
-        self.slip.tangents(&self.terms.basis).iter().map(|&tangent| self.row_along(tangent))
+    /// The rows along the tangents along which it may slip, where it sticks.
+    fn sticking_rows(&self) -> impl Iterator<Item = TangentRow> + '_ {
+        let tangents = self.slip.tangents(&self.terms.basis).iter().filter(|_| self.sliding.is_none());
+        tangents.map(|&tangent| self.row_along(tangent))
     }
 
     /// The row of a rotation about an axis (unit vector, world).
@@ -88,8 +84,12 @@ impl FrictionContact {
     /// The rows of rotations that are held.
     fn held_rotations(&self) -> impl Iterator<Item = RotationRow> + '_ {
         let held = self.turns.iter().flatten().filter(|resisted| resisted.turning.is_none());
-        let axes = held.flat_map(|resisted| resisted.turn.axes(self.geometry.normal, (&self.terms.basis, self.slip)));
-        axes.map(|axis| self.row_about(axis))
+        held.flat_map(|resisted| self.axes_of(resisted.turn)).map(|axis| self.row_about(axis))
+    }
+
+    /// The axes of a rotation (unit vectors, world).
+    fn axes_of(&self, turn: Turn) -> Vec<DVec3> {
+        turn.axes(self.geometry.normal, (&self.terms.basis, self.slip))
     }
 
     /// The rotations that turn: their rows and their friction there (no unit).
@@ -176,34 +176,20 @@ pub(super) fn solve(
 ) -> Result<HeldForces, ResponseError> {
     let rows = contacts.iter().map(|(id, kinematics)| (*id, kinematics.geometry));
     let mut assembly = Assembly::new(model, states, bodies, rows)?;
-    let sticking = friction.iter().filter(|contact| contact.sliding.is_none());
-    let sticking: Vec<TangentRow> = sticking.flat_map(FrictionContact::tangent_rows).collect();
-    assembly.push_tangents(states, sticking.into_iter())?;
+    assembly.push_tangents(states, friction.iter().flat_map(FrictionContact::sticking_rows))?;
     assembly.push_rotations(friction.iter().flat_map(FrictionContact::held_rotations))?;
     let equations = assembly.problem.len();
-    let slides = friction.iter().filter_map(|contact| Some((contact, contact.sliding?)));
-    let slides: Vec<_> =
-        slides.map(|(contact, (direction, mu))| (contact.row_along(direction), contact.contact, mu)).collect();
-    assembly.push_tangents(states, slides.iter().map(|&(row, ..)| row))?;
-    let turning = friction.iter().flat_map(|contact| contact.turning().map(|(row, mu)| (row, contact.contact, mu)));
-    let turning: Vec<_> = turning.collect();
-    assembly.push_rotations(turning.iter().map(|&(row, ..)| row))?;
+    let slides = friction.iter().filter_map(|contact| Some(contact.row_along(contact.sliding?.0)));
+    assembly.push_tangents(states, slides)?;
+    assembly.push_rotations(friction.iter().flat_map(|contact| contact.turning().map(|(row, _)| row)))?;
     let free = assembly.free_accelerations(model, states, loads);
     let kinematics = contacts.iter().map(|(id, kinematics)| (*id, kinematics));
     let mut constants = assembly.acceleration_constants(model, t, states, &free, kinematics)?;
-    let slides = slides.iter().map(|&(_, normal, coefficient)| (normal, coefficient));
-    let turning = turning.iter().map(|&(_, normal, coefficient)| (normal, coefficient));
-    let sliding = slides.chain(turning).enumerate().map(|(k, (normal, coefficient))| SlidingRow {
-        normal,
-        tangent: equations + k,
-        coefficient,
-    });
-    let sliding: Vec<SlidingRow> = sliding.collect();
     constants.truncate(equations);
-    let trees = if sliding.is_empty() { way::trees(&assembly.problem, assembly.joint_rows()) } else { None };
-    let matrix = trees.map_or_else(|| Matrix::All(assembly.problem.delassus()), Matrix::Beside);
-    let (LeastNormForces { forces, loads }, violation) =
-        with_loads_of_bearings(&mut assembly, constants, (&matrix, &sliding), (contacts.len(), friction))?;
+    let laws = Laws::new(&assembly, (contacts.len(), friction));
+    let Answer { reactions: forces, on_bodies, beyond_cones, .. } =
+        with_loads_of_bearings(&mut assembly, constants, &laws.blocks)?;
+    let violation = if beyond_cones { laws.violation(&forces) } else { None };
     let tangential = assembly.of_tangents(&forces).map(|(row, force)| (row.id, row.along, force)).collect();
     let moments = assembly.of_rotations(&forces).map(|(row, moment)| (row.id, row.axis * moment)).collect();
     let slips = friction.iter().filter_map(|contact| {
@@ -223,118 +209,97 @@ pub(super) fn solve(
         reactions: assembly.reactions(&forces).map(|(of, reaction)| (of.clone(), reaction)).collect(),
         tangential,
         normal: forces.get(..contacts.len()).unwrap_or_default().to_vec(),
-        sums: loads.map(|loads| assembly.split(&loads).collect()),
+        sums: on_bodies.map(|loads| assembly.split(&loads).collect()),
     })
 }
 
-/// The least forces with these constant terms of the rows that are held, found again until the loads of bearings stay,
-/// and how far they are from Coulomb's law.
+/// The forces with these constant terms of the rows that are held, found again until the loads of bearings stay.
 ///
 /// # Errors
 /// When a number is not finite.
 fn with_loads_of_bearings(
     assembly: &mut Assembly,
     mut constants: Vec<f64>,
-    (matrix, sliding): (&Matrix, &[SlidingRow]),
-    (contacts, friction): (usize, &[FrictionContact]),
-) -> Result<(LeastNormForces, Option<ConeViolation>), ResponseError> {
+    blocks: &Blocks,
+) -> Result<Answer, ResponseError> {
     let mut rounds = 0;
     loop {
-        let found = match matrix {
-            Matrix::Beside(forest) => (least_norm_forces_beside(&assembly.problem, forest, &constants)?, None),
-            Matrix::All(delassus) if sliding.is_empty() => {
-                (least_norm_forces(&assembly.problem, delassus, &constants)?, None)
-            }
-            Matrix::All(delassus) => {
-                let least = least_norm_sliding_forces(&assembly.problem, delassus, &constants, sliding)?;
-                match StickingCones::of(contacts, friction, assembly.first_tangent()) {
-                    Some(cones) => cones.put_into((delassus, constants.len(), sliding), least)?,
-                    None => (least, None),
-                }
-            }
-        };
+        let (joints, blocks) = (assembly.joint_rows(), Some(blocks));
+        let problem = RowProblem { joints, blocks, ..RowProblem::new(&assembly.problem, &constants) };
+        let found = polhode_response::solve(&problem, Ask::Stage, &mut Memory::default())?;
         rounds += 1;
-        if rounds == MOST_ROUNDS_OF_BEARINGS || !assembly.press_by_loads(&found.0.forces, 1.0) {
+        if rounds == MOST_ROUNDS_OF_BEARINGS || !assembly.press_by_loads(&found.reactions, 1.0) {
             return Ok(found);
         }
         assembly.press(&mut constants, 1.0);
     }
 }
 
-/// Through which matrix the forces are found.
-enum Matrix {
-    /// That of the rows beside trees of joints, which have been eliminated.
-    Beside(HeldForest),
-    /// That of all rows.
-    All(Delassus),
+/// The next row of each mode: rows along tangents that stick, of rotations that are held, along which contacts slide,
+/// about which they turn.
+struct NextRows {
+    sticking: usize,
+    held_rotations: usize,
+    slipping: usize,
+    turning: usize,
 }
 
-/// The forces of rows that are all held: of those beside the trees the least ones.
-///
-/// # Errors
-/// When a number is not finite.
-fn least_norm_forces_beside(
-    problem: &ContactProblem,
-    forest: &HeldForest,
-    constants: &[f64],
-) -> Result<LeastNormForces, ResponseError> {
-    let of_others = if forest.others().is_empty() {
-        Vec::new()
-    } else {
-        let BesideForest { problem: beside, delassus, .. } = forest.beside(problem);
-        least_norm_forces(&beside, &delassus, &forest.constants_beside(problem, constants)?)?.forces
-    };
-    Ok(LeastNormForces { forces: forest.with_others(problem, constants, &of_others)?.forces, loads: None })
+impl NextRows {
+    fn new(assembly: &Assembly, friction: &[FrictionContact]) -> Self {
+        let sticking = assembly.first_tangent();
+        let held_rotations = sticking + friction.iter().map(|own| own.sticking_rows().count()).sum::<usize>();
+        let slipping = held_rotations + friction.iter().map(|own| own.held_rotations().count()).sum::<usize>();
+        let turning = slipping + friction.iter().filter(|own| own.sliding.is_some()).count();
+        Self { sticking, held_rotations, slipping, turning }
+    }
 }
 
-/// What bounds the forces of contacts while some slide: cones of friction of those that stick, and the push of all.
-struct StickingCones<'a> {
+/// So many rows from the next one on.
+fn take(next: &mut usize, rows: usize) -> Range<usize> {
+    *next += rows;
+    *next - rows..*next
+}
+
+/// What contacts with their modes ask of their forces.
+struct Laws<'a> {
     blocks: Blocks,
     /// The contacts that stick, with their rows along tangents.
     sticking: Vec<(&'a FrictionContact, Range<usize>)>,
 }
 
-impl<'a> StickingCones<'a> {
-    /// Those of so many contacts, of which these have friction. The rows of contacts that stick follow
-    /// `first_tangent`. None where a contact resists rotations: the forces at one instant
-    /// (`solve/rotational_friction.rs`) are not those of least norm either.
-    fn of(contacts: usize, friction: &'a [FrictionContact], first_tangent: usize) -> Option<Self> {
-        if friction.iter().any(|contact| contact.turns.iter().any(Option::is_some)) {
-            return None;
-        }
-        let (mut blocks, mut sticking, mut tangent) = (Blocks::default(), Vec::new(), first_tangent);
-        let mut sticks = friction.iter().filter(|contact| contact.sliding.is_none()).peekable();
+impl<'a> Laws<'a> {
+    /// Those of so many contacts, of which these have friction.
+    fn new(assembly: &Assembly, (contacts, friction): (usize, &'a [FrictionContact])) -> Self {
+        let mut next = NextRows::new(assembly, friction);
+        let (mut blocks, mut sticking) = (Blocks::default(), Vec::new());
+        let mut with_friction = friction.iter().peekable();
         for normal in 0..contacts {
-            let own = sticks.next_if(|own| own.contact == normal);
-            let tangents = tangent..tangent + own.map_or(0, |own| own.slip.count());
-            sticking.extend(own.map(|own| (own, tangents.clone())));
-            tangent = tangents.end;
-            push_contact(&mut blocks, own.map_or(FrictionEllipse::default(), |own| own.at_rest), normal, tangents);
+            let Some(own) = with_friction.next_if(|own| own.contact == normal) else {
+                push_contact(&mut blocks, FrictionEllipse::default(), normal, 0..0);
+                continue;
+            };
+            if let Some((_, friction)) = own.sliding {
+                blocks.push(Law::Slide { friction }, [normal, take(&mut next.slipping, 1).start]);
+            } else {
+                let tangents = take(&mut next.sticking, own.slip.count());
+                sticking.push((own, tangents.clone()));
+                push_contact(&mut blocks, own.at_rest, normal, tangents);
+            }
+            for resisted in own.turns.iter().flatten() {
+                let (own_rows, friction) = match resisted.turning {
+                    Some((_, friction)) => (take(&mut next.turning, 1), friction),
+                    None => (take(&mut next.held_rotations, own.axes_of(resisted.turn).len()), 0.0),
+                };
+                let slides = resisted.turning.is_some();
+                let resistance = Resistance { rows: own_rows.len(), friction, slides };
+                blocks.resist(part_of(resisted.turn), resistance, own_rows);
+            }
         }
-        Some(Self { blocks, sticking })
+        blocks.hold(assembly.joint_rows());
+        Self { blocks, sticking }
     }
 
-    /// The least forces within the cones that hold what `least` hold: the first `held` rows, with friction along those
-    /// of `sliding`. Where there are none `least` stay, and violate Coulomb's law.
-    ///
-    /// # Errors
-    /// When a number is not finite.
-    fn put_into(
-        &self,
-        (delassus, held, sliding): (&Delassus, usize, &[SlidingRow]),
-        least: LeastNormForces,
-    ) -> Result<(LeastNormForces, Option<ConeViolation>), ResponseError> {
-        // Forces that are known in twice the working precision, because masses differ much, would lose that.
-        if least.loads.is_some() {
-            return Ok((least, None));
-        }
-        let Some(forces) = least_forces_in_cones(delassus, held, sliding, &self.blocks, &least.forces)? else {
-            let violation = self.violation(&least.forces);
-            return Ok((least, violation));
-        };
-        Ok((LeastNormForces { forces, loads: None }, None))
-    }
-
+    /// How far contacts that stick are from Coulomb's law.
     fn violation(&self, forces: &[f64]) -> Option<ConeViolation> {
         let rubbing = self.sticking.iter().map(|(own, rows)| RubbingForce {
             pair: (own.id.a, own.id.b),

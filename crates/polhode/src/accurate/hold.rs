@@ -10,10 +10,10 @@ use crate::collision::turn::Turn;
 use crate::identity::contact_id::ContactId;
 use crate::model::Model;
 use crate::rows::assembly::{self, Assembly};
-use crate::solve::accelerations::{Accelerations, ContactTangent, ContactTurn};
+use crate::solve::accelerations::{Accelerations, ContactTangent, ContactTurn, Wanted};
 use crate::solve::cone_violation::{ConeViolation, largest_violation};
 use polhode_dynamics::{BodyState, RigidBody};
-use polhode_response::{ContactSolution, Memory, ResponseError, SolverStatus};
+use polhode_response::{Answer, Memory, ResponseError, SolverStatus};
 use polhode_spatial::DVec3;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -28,7 +28,7 @@ const EQUILIBRIUM_RELATIVE: f64 = 1e-12;
 /// Forces of some contacts of a group, and the accelerations of its bodies, at one instant.
 #[derive(Debug)]
 pub(super) struct Forces {
-    pub(super) solution: ContactSolution,
+    pub(super) solution: Answer,
     pub(super) assembly: Assembly,
     /// How many contacts.
     contacts: usize,
@@ -105,7 +105,8 @@ impl Forces {
             mass * model.gravity().length() + loads.of(body).force.length()
         });
         let load = load.fold(0.0, f64::max);
-        let found = Accelerations::solve(model, (t, states), bodies, contacts, &loads, memory)?;
+        let wanted = (Wanted::Future, memory);
+        let found = Accelerations::solve(model, (t, states), bodies, contacts, &loads, wanted)?;
         let opening = OPENING_RELATIVE * found.scale;
         let friction = found.contacts.iter().map(|contact| {
             contact.map(|contact| {
@@ -188,7 +189,7 @@ impl Forces {
 
     /// Largest relative acceleration at contacts that break or begin to slide, m/s^2.
     pub(super) fn largest_opening(&self, contacts: &[Touch]) -> f64 {
-        let opening = self.solution.residual_accelerations.iter().fold(0.0f64, |most, &w| most.max(w));
+        let opening = self.solution.velocities.iter().fold(0.0f64, |most, &w| most.max(w));
         let slips = contacts
             .iter()
             .zip(&self.friction)
@@ -199,13 +200,13 @@ impl Forces {
 
     /// Forces of the contacts, without those of pivots.
     pub(super) fn of_contacts(&self) -> &[f64] {
-        self.solution.forces.get(..self.contacts).unwrap_or_default()
+        self.solution.reactions.get(..self.contacts).unwrap_or_default()
     }
 
     /// The event function of contact break, for each contact, m/s^2: the threshold acceleration minus the relative
     /// acceleration. It is positive while a force holds the contact, and negative when the contact breaks.
     pub(super) fn opening_margins(&self) -> impl Iterator<Item = f64> + '_ {
-        let accelerations = self.solution.residual_accelerations.iter().take(self.contacts);
+        let accelerations = self.solution.velocities.iter().take(self.contacts);
         accelerations.map(|w| self.opening - w)
     }
 
@@ -227,7 +228,7 @@ impl Forces {
     pub(super) fn balanced_bodies(&self, model: &Model, states: &[BodyState], contacts: &[Touch]) -> BTreeSet<usize> {
         let mut force_sums = vec![0.0; model.bodies.len()];
         let mut moment_sums = vec![0.0; model.bodies.len()];
-        for (index, (touch, normal)) in contacts.iter().zip(&self.solution.forces).enumerate() {
+        for (index, (touch, normal)) in contacts.iter().zip(&self.solution.reactions).enumerate() {
             let force = self.friction(index).map_or(*normal, |friction| normal + friction.force.length());
             for (body, _) in touch.id.members() {
                 let arm = touch.kinematics.geometry.point - states[body].pose.translation;
@@ -235,7 +236,7 @@ impl Forces {
                 moment_sums[body] += force * arm.length();
             }
         }
-        for (bilateral, reaction) in self.assembly.reactions(&self.solution.forces) {
+        for (bilateral, reaction) in self.assembly.reactions(&self.solution.reactions) {
             for (body, force, moment) in bilateral.magnitudes(reaction) {
                 force_sums[body] += force;
                 moment_sums[body] += moment;

@@ -32,7 +32,7 @@ pub(super) fn loads_of(
         let geometry = &touch.kinematics.geometry;
         ContactForce { id: touch.id, point: geometry.point, force: geometry.normal * *normal + tangential }
     });
-    joint_loads(&core.model, states, (&forces.assembly, &forces.solution.forces), contacts)
+    joint_loads(&core.model, states, (&forces.assembly, &forces.solution.reactions), contacts)
 }
 
 impl StepSearch<'_> {

@@ -62,7 +62,7 @@ impl Engine {
                 });
                 needed.insert(body, newton(body, linear, angular) - by_contacts.sum::<DVec3>());
             }
-            let reactions = forces.assembly.reactions(&forces.solution.forces);
+            let reactions = forces.assembly.reactions(&forces.solution.reactions);
             let pivots = reactions.filter(|(of, _)| matches!(of.id, ConstraintId::Pivot { .. }));
             by_rows.extend(pivots.map(|(of, Reaction { force, .. })| PivotView {
                 body: BodyId::new(of.id.bodies().0),

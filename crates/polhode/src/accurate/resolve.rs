@@ -652,15 +652,15 @@ pub(super) fn slip_noise(core: &Core, speed_scale: f64, touch: &Touch) -> f64 {
 
 /// Whether a candidate holds: it carries force, or it does not break and was not open before.
 fn hold_of(instant: &Instant, touch: &Touch, forces: &Forces, row: usize) -> Hold {
-    let opens = forces.solution.residual_accelerations[row] > OPENING_FRACTION * forces.opening;
+    let opens = forces.solution.velocities[row] > OPENING_FRACTION * forces.opening;
     let was_open = touch.known && touch.hold == Hold::Open;
     // The force of a breaking contact has fallen to zero. A contact that still carries load is not breaking.
     let largest = forces.of_contacts().iter().fold(0.0f64, |most, &f| most.max(f));
     let departed = (DEPARTED_FORCE * largest).max(DEPARTED_LOAD * forces.load);
-    if instant.change.departing.contains(&touch.id) && forces.solution.forces[row] <= departed {
+    if instant.change.departing.contains(&touch.id) && forces.solution.reactions[row] <= departed {
         return Hold::Open;
     }
-    if forces.solution.forces[row] > 0.0 || !(opens || was_open) { Hold::Held } else { Hold::Open }
+    if forces.solution.reactions[row] > 0.0 || !(opens || was_open) { Hold::Held } else { Hold::Open }
 }
 
 fn contact_event(t: f64, kind: EventKind, touch: &Touch) -> Event {

@@ -205,7 +205,7 @@ impl Tier for Engine {
             let solved = Forces::solve(&core.model, t, states, &group, &members, &mut solver);
             forces_by_id.extend(members.iter().enumerate().map(|(index, touch)| match &solved {
                 Ok(forces) => {
-                    let normal = forces.solution.forces.get(index).copied().unwrap_or(f64::NAN);
+                    let normal = forces.solution.reactions.get(index).copied().unwrap_or(f64::NAN);
                     let friction = forces.friction(index).map_or(DVec3::ZERO, |friction| friction.force);
                     (touch.id, (normal, friction))
                 }

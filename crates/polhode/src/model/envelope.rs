@@ -11,7 +11,7 @@
 //!
 //! Fails where bodies overlap: `e = 1` then, and nothing drives them apart.
 //!
-//! Contacts that stick reverse their slip as well (`solve/reversal.rs`).
+//! Contacts that stick reverse their slip as well (`polhode_response::solve::impact::Blow`).
 //!
 //! Source: the envelope and its speed, Mirtich 1996, section 3.5, and Mirtich and Canny 1995; the restitution that
 //! grows towards touch is derived here (Mirtich's own micro-collision reverses the velocity, `e = 1`, where friction

@@ -8,7 +8,7 @@ use crate::collision::turn::Turn;
 use crate::rows::resisted_rotation::ResistedRotation;
 use crate::scene::FrictionEllipse;
 use polhode_response::friction::ContactStatus;
-use polhode_response::{Blocks, BlocksSolution, Law, Resistance, ResistedPart};
+use polhode_response::{Answer, Blocks, Law, Resistance, ResistedPart};
 use std::ops::Range;
 
 /// Adds the block of a contact with its normal row and its tangents, friction along which lies in this ellipse.
@@ -22,6 +22,14 @@ pub(crate) fn push_contact(blocks: &mut Blocks, ellipse: FrictionEllipse, normal
     blocks.push_scaled(law, rows, std::iter::once(1.0).chain(scales.into_iter().take(tangents.len())));
 }
 
+/// The part of a block that is of this rotation.
+pub(crate) const fn part_of(turn: Turn) -> ResistedPart {
+    match turn {
+        Turn::Rolling => ResistedPart::Rolling,
+        Turn::Spinning => ResistedPart::Spinning,
+    }
+}
+
 /// The same blocks with rotations that contacts resist, each in the block of its contact.
 pub(crate) fn with_rotations(blocks: Blocks, rotations: &[ResistedRotation]) -> Blocks {
     if rotations.is_empty() {
@@ -31,10 +39,7 @@ pub(crate) fn with_rotations(blocks: Blocks, rotations: &[ResistedRotation]) -> 
     for place in 0..blocks.len() {
         blocks.push_to(&mut whole, place);
         for rotation in rotations.iter().filter(|rotation| rotation.normal == place) {
-            let part = match rotation.turn {
-                Turn::Rolling => ResistedPart::Rolling,
-                Turn::Spinning => ResistedPart::Spinning,
-            };
+            let part = part_of(rotation.turn);
             let ResistedRotation { friction, turns: slides, .. } = *rotation;
             let resistance = Resistance { rows: rotation.rows.len(), friction, slides };
             whole.resist(part, resistance, rotation.rows.clone());
@@ -45,7 +50,7 @@ pub(crate) fn with_rotations(blocks: Blocks, rotations: &[ResistedRotation]) -> 
 
 /// The direction, in the rows of a rotation, in which the bodies turn, or begin to turn; none while friction holds
 /// them. A moment opposes it; where nothing presses there is no moment, and the rotation follows its acceleration.
-pub(crate) fn direction_of(solved: &BlocksSolution, rotation: &ResistedRotation) -> Option<Vec<f64>> {
+pub(crate) fn direction_of(solved: &Answer, rotation: &ResistedRotation) -> Option<Vec<f64>> {
     if rotation.turns {
         return Some(vec![1.0; rotation.rows.len()]);
     }

@@ -21,32 +21,33 @@ use crate::rows::frictional_contact::{Frictional, Sliding};
 use crate::rows::resisted_rotation::ResistedRotation;
 use crate::rows::rotation_row::RotationRow;
 use crate::solve::cone_violation::RubbingForce;
-use crate::solve::least_sliding_forces::{RowFriction, least_sliding_forces};
-use crate::solve::standing::{is_for_many, standing};
-use crate::solve::sticking_forces::{SLIDING_ROUNDING, STICKING_ACCELERATION, of_no_slip, rounding_of};
+use crate::solve::share_by_pressure::{StickingContact, share_by_pressure};
 use polhode_dynamics::BodyState;
-use polhode_response::friction::{ContactStatus, FrictionSettings};
-use polhode_response::{
-    Ask, Blocks, BlocksSolution, ContactSolution, Delassus, Memory, Method, ResponseError, RowProblem, SolverReport,
-    WarmStart, solve,
-};
+use polhode_response::friction::ContactStatus;
+use polhode_response::solve::instant::{SLIDING_ROUNDING, STICKING_ACCELERATION};
+use polhode_response::{Answer, Ask, Blocks, Choice, Memory, ResponseError, RowProblem, WarmStart, solve};
 use polhode_spatial::DVec3;
 use std::collections::BTreeMap;
-
-/// The residual that counts as solved where something slides (no unit, 1e-12 to 1e-9): errors of steps are larger.
-/// Where nothing slides the answer may put bodies to rest for good, and is asked for to rounding.
-const ACCEPTED_SLIDING: f64 = 1e-10;
 
 /// Directions (unit vectors) that differ by less count as one where slips begin (1e-5 to 1e-3): just beyond static
 /// friction, by 1e-9 of it, forces may point apart by the square root of that.
 const SAME_DIRECTION: f64 = 1e-4;
+
+/// What the forces are wanted for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Wanted {
+    /// The motion goes on from them.
+    Future,
+    /// They are told.
+    Present,
+}
 
 /// Forces of some contacts, and accelerations of their bodies.
 #[derive(Debug)]
 pub(crate) struct Accelerations {
     pub(crate) assembly: Assembly,
     /// Of the rows of contacts and pivots.
-    pub(crate) solution: ContactSolution,
+    pub(crate) solution: Answer,
     /// Generalised accelerations of the bodies.
     pub(crate) of_bodies: Vec<f64>,
     /// The largest relative acceleration without contact forces, m/s^2.
@@ -126,58 +127,20 @@ impl Accelerations {
         bodies: &[usize],
         contacts: &[Touch],
         loads: &Loads,
-        memory: &mut Memory,
+        (wanted, memory): (Wanted, &mut Memory),
     ) -> Result<Self, ResponseError> {
         let mut frictional: Vec<_> = contacts.iter().map(|touch| Frictional::of(model, states, touch)).collect();
-        if frictional.iter().all(Option::is_none) {
-            return Self::without_friction(model, (t, states), bodies, contacts, loads, memory);
-        }
         loop {
-            let found = Self::of_laws(model, (t, states), bodies, (contacts, &frictional), loads)?;
+            let found = Self::of_laws(model, (t, states), bodies, (contacts, &frictional), (loads, wanted, memory))?;
             if begin_to_slide(&mut frictional, &found) {
                 continue;
             }
-            if found.are_alike || !begin_exactly(&mut frictional, &found) {
+            if wanted == Wanted::Present || found.are_alike || !begin_exactly(&mut frictional, &found) {
                 return Ok(found);
             }
-            let exact = Self::of_laws(model, (t, states), bodies, (contacts, &frictional), loads)?;
+            let exact = Self::of_laws(model, (t, states), bodies, (contacts, &frictional), (loads, wanted, memory))?;
             return Ok(if exact.is_exact_slide() { exact } else { found });
         }
-    }
-
-    /// The same where no contact has friction.
-    fn without_friction(
-        model: &Model,
-        (t, states): (f64, &[BodyState]),
-        bodies: &[usize],
-        contacts: &[Touch],
-        loads: &Loads,
-        memory: &mut Memory,
-    ) -> Result<Self, ResponseError> {
-        let rows = contacts.iter().map(|touch| (touch.id, touch.kinematics.geometry));
-        let assembly = Assembly::new(model, states, bodies, rows)?;
-        let FreeMotion { free, constants } = FreeMotion::of(&assembly, model, (t, states), contacts, loads)?;
-        let held = (0..contacts.len()).filter(|&place| contacts[place].hold == Hold::Held).collect();
-        // Accelerations of joints are differences of centripetal terms, whatever the forces are that follow from them.
-        let has_joints = !assembly.bilaterals().is_empty();
-        let noise_floor = if has_joints { tolerances::acceleration_rounding(model, states, bodies) } else { 0.0 };
-        let (joints, start) = (assembly.joint_rows(), WarmStart::new(held));
-        let problem =
-            RowProblem { joints, start: Some(&start), noise_floor, ..RowProblem::new(&assembly.problem, &constants) };
-        let solution = solve(&problem, Ask::Instant, memory)?;
-        let of_bodies = with_free(assembly.problem.response(&solution.forces)?, &free);
-        Ok(Self {
-            scale: largest(&constants),
-            rounding: 0.0,
-            are_alike: true,
-            are_exact: false,
-            motion_depends_on_choice: false,
-            contacts: vec![None; contacts.len()],
-            turns: BTreeMap::new(),
-            solution,
-            of_bodies,
-            assembly,
-        })
     }
 
     /// Whether these are the exact forces of contacts that slide, and slips grow in the directions that were taken.
@@ -192,28 +155,34 @@ impl Accelerations {
         (t, states): (f64, &[BodyState]),
         bodies: &[usize],
         (contacts, frictional): (&[Touch], &[Option<Frictional>]),
-        loads: &Loads,
+        (loads, wanted, memory): (&Loads, Wanted, &mut Memory),
     ) -> Result<Self, ResponseError> {
         let rows = contacts.iter().map(|touch| (touch.id, touch.kinematics.geometry));
         let mut assembly = Assembly::new(model, states, bodies, rows)?;
         let blocks = blocks_of(&mut assembly, states, (contacts, frictional))?;
         let ResistedRotations { turns, laws: rotations } = rotations_of(&mut assembly, model, contacts, frictional)?;
         let FreeMotion { free, mut constants } = FreeMotion::of(&assembly, model, (t, states), contacts, loads)?;
-        let any_slides = frictional.iter().flatten().any(|friction| friction.sliding.is_some());
-        if !any_slides && rotations.is_empty() && is_for_many(model, states, &assembly, contacts) {
-            let terms = (free.as_slice(), constants.as_slice());
-            if let Some(held) = standing(&assembly, &blocks, terms, frictional)? {
-                return Self::at_rest(contacts, frictional, assembly, (&free, &constants), &held);
-            }
-        }
-        let delassus = assembly.problem.delassus();
         let blocks = with_rotations(blocks, &rotations);
+        let sticking = sticking(&assembly, frictional);
+        let share = |forces: &mut [f64]| share_by_pressure(contacts, &sticking, forces);
+        let ask = asked(wanted, bodies.iter().map(|&body| &states[body]), &free);
+        // Accelerations of joints are differences of centripetal terms, whatever the forces are that follow from them.
+        let has_joints = !assembly.bilaterals().is_empty();
+        let noise_floor = if has_joints { tolerances::acceleration_rounding(model, states, bodies) } else { 0.0 };
+        let start = WarmStart::new((0..contacts.len()).filter(|&place| contacts[place].hold == Hold::Held).collect());
         let mut rounds = 0;
-        let (solved, exact) = loop {
-            let of = (model, states, contacts);
-            let found = of_modes(of, &assembly, (&blocks, &delassus, &constants), (frictional, &rotations))?;
+        let solved = loop {
+            let problem = RowProblem {
+                blocks: Some(&blocks),
+                joints: assembly.joint_rows(),
+                start: Some(&start),
+                noise_floor,
+                share: Some(&share),
+                ..RowProblem::new(&assembly.problem, &constants)
+            };
+            let found = solve(&problem, ask, memory)?;
             rounds += 1;
-            if rounds == MOST_ROUNDS_OF_BEARINGS || !assembly.press_by_loads(&found.0.reactions, 1.0) {
+            if rounds == MOST_ROUNDS_OF_BEARINGS || !assembly.press_by_loads(&found.reactions, 1.0) {
                 break found;
             }
             assembly.press(&mut constants, 1.0);
@@ -223,10 +192,8 @@ impl Accelerations {
         let scale = largest(&constants);
         let tangential = frictional.iter().enumerate().map(|(normal, friction)| {
             let friction = friction.as_ref()?;
-            let mobility = delassus.get(first, first);
-            let id = contacts.get(normal)?.id;
-            let rounding = STICKING_ACCELERATION * scale / mobility;
-            let found = contact_tangent(&solved, (normal, first), (id, friction), rounding);
+            let rounding = STICKING_ACCELERATION * scale / assembly.problem.mobility(first);
+            let found = contact_tangent(&solved, (normal, first), (contacts.get(normal)?.id, friction), rounding);
             first += friction.tangents().len();
             Some(found)
         });
@@ -235,53 +202,28 @@ impl Accelerations {
         complete_slips((model, t, states), (contacts, frictional), (&assembly, &of_bodies), &mut tangential);
         let turn = |law: &ResistedRotation| ContactTurn { turning: turning(&assembly, law, &solved) };
         let turns = turns.into_iter().zip(rotations.iter().map(turn)).collect();
-        let solution = contact_solution(&solved, assembly.first_tangent());
         Ok(Self {
             are_alike: assembly.problem.has_alike_masses(),
             contacts: tangential,
-            solution,
             of_bodies,
             scale,
-            rounding: rounding_of(&delassus, &solved.reactions),
-            assembly,
-            motion_depends_on_choice: exact == Some(Choice::DecidesMotion),
-            are_exact: exact.is_some(),
+            rounding: solved.rounding,
+            motion_depends_on_choice: solved.choice == Some(Choice::DecidesMotion),
+            are_exact: solved.choice.is_some(),
             turns,
+            solution: of_contacts_and_joints(solved, assembly.first_tangent()),
+            assembly,
         })
     }
+}
 
-    /// Of bodies that these forces hold at rest.
-    fn at_rest(
-        contacts: &[Touch],
-        frictional: &[Option<Frictional>],
-        assembly: Assembly,
-        (free, constants): (&[f64], &[f64]),
-        held: &BlocksSolution,
-    ) -> Result<Self, ResponseError> {
-        let scale = largest(constants);
-        let mut first = assembly.first_tangent();
-        let tangential = frictional.iter().enumerate().map(|(normal, friction)| {
-            let friction = friction.as_ref()?;
-            let rounding = STICKING_ACCELERATION * scale / assembly.problem.mobility(first);
-            let found = contact_tangent(held, (normal, first), (contacts.get(normal)?.id, friction), rounding);
-            first += friction.tangents().len();
-            Some(found)
-        });
-        let mut tangential: Vec<Option<ContactTangent>> = tangential.collect();
-        add_up_pairs(contacts, &mut tangential);
-        Ok(Self {
-            // All contacts hold, so that none begins to slide: the masses do not matter.
-            are_alike: true,
-            contacts: tangential,
-            solution: contact_solution(held, assembly.first_tangent()),
-            of_bodies: with_free(assembly.problem.response(&held.reactions)?, free),
-            scale,
-            rounding: 0.0,
-            assembly,
-            motion_depends_on_choice: false,
-            are_exact: false,
-            turns: BTreeMap::new(),
-        })
+/// What is asked of the rows between bodies in these states.
+fn asked<'a>(wanted: Wanted, mut states: impl Iterator<Item = &'a BodyState>, free: &'a [f64]) -> Ask<'a> {
+    let is_still = |state: &BodyState| state.linear_velocity == DVec3::ZERO && state.angular_momentum == DVec3::ZERO;
+    match wanted {
+        Wanted::Present => Ask::Present,
+        Wanted::Future if states.all(is_still) => Ask::Rest { free },
+        Wanted::Future => Ask::Instant,
     }
 }
 
@@ -340,87 +282,20 @@ pub(crate) fn blocks_of(
     Ok(blocks)
 }
 
-/// Whether the motion depends on which of the forces that hold all contacts are taken.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Choice {
-    Idle,
-    DecidesMotion,
-}
-
-/// The solution with these modes of contacts and rotations, and whether the motion depends on the choice of forces
-/// where they are exact.
-fn of_modes(
-    of: (&Model, &[BodyState], &[Touch]),
-    assembly: &Assembly,
-    (blocks, delassus, constants): (&Blocks, &Delassus, &[f64]),
-    (frictional, rotations): (&[Option<Frictional>], &[ResistedRotation]),
-) -> Result<(BlocksSolution, Option<Choice>), ResponseError> {
-    let any_slides = frictional.iter().flatten().any(|friction| friction.sliding.is_some());
-    if !rotations.is_empty() {
-        let turns = rotations.iter().any(|rotation| rotation.turns);
-        let settings = if any_slides || turns { sliding_settings() } else { FrictionSettings::default() };
-        return Ok((blocks.solve(delassus, constants, None, &settings)?, None));
-    }
-    if any_slides {
-        return of_slips(of, assembly, (blocks, delassus, constants), frictional);
-    }
-    Ok((of_no_slip(of, assembly, (blocks, delassus, constants), frictional)?, None))
-}
-
-/// The solution where some contacts slide: the least forces with which every contact holds, or none of these and those
-/// of the cone problem.
-fn of_slips(
-    of: (&Model, &[BodyState], &[Touch]),
-    assembly: &Assembly,
-    (blocks, delassus, constants): (&Blocks, &Delassus, &[f64]),
-    frictional: &[Option<Frictional>],
-) -> Result<(BlocksSolution, Option<Choice>), ResponseError> {
-    if let Some((held, choice)) = all_hold(of, assembly, constants, frictional)? {
-        return Ok((held, Some(choice)));
-    }
-    Ok((blocks.solve(delassus, constants, None, &sliding_settings())?, None))
-}
-
-fn sliding_settings() -> FrictionSettings {
-    FrictionSettings { acceptance: ACCEPTED_SLIDING, ..FrictionSettings::default() }
-}
-
-/// The least forces with which every contact holds while some slide.
-fn all_hold(
-    of: (&Model, &[BodyState], &[Touch]),
-    assembly: &Assembly,
-    constants: &[f64],
-    frictional: &[Option<Frictional>],
-) -> Result<Option<(BlocksSolution, Choice)>, ResponseError> {
-    let friction = frictional.iter().map(|friction| match friction {
-        None => RowFriction::Frictionless,
-        Some(Frictional { sliding: Some(sliding), .. }) => RowFriction::Slides(sliding.coefficient),
-        Some(Frictional { coefficients, slip, .. }) => {
-            RowFriction::Sticks { ellipse: coefficients.at_rest, rows: slip.count() }
-        }
-    });
-    let scale = largest(constants);
-    let rounding = |delassus: &Delassus, forces: &[f64]| STICKING_ACCELERATION * scale + rounding_of(delassus, forces);
-    let friction: Vec<RowFriction> = friction.collect();
-    let Some(least) = least_sliding_forces(of, assembly, constants, &friction, rounding)? else { return Ok(None) };
-    let (reactions, mut velocities) = (least.forces, least.accelerations);
-    // What is held is at zero up to rounding.
+/// The contacts that stick, with their rows along tangents.
+fn sticking(assembly: &Assembly, frictional: &[Option<Frictional>]) -> Vec<StickingContact> {
     let mut first = assembly.first_tangent();
-    velocities[..first].fill(0.0);
-    for friction in frictional.iter().flatten() {
-        let rows = friction.tangents().len();
+    let mut found = Vec::new();
+    for (contact, friction) in frictional.iter().enumerate() {
+        let Some(friction) = friction else { continue };
+        let tangents = friction.tangents();
+        let rows = first..first + tangents.len();
+        first = rows.end;
         if friction.sliding.is_none() {
-            velocities[first..first + rows].fill(0.0);
+            found.push(StickingContact { contact, rows, tangents });
         }
-        first += rows;
     }
-    let report = SolverReport { method: Method::ActiveSet, ..SolverReport::default() };
-    let slides = |friction: &Option<Frictional>| friction.as_ref().is_some_and(|friction| friction.sliding.is_some());
-    let status = |friction| if slides(friction) { ContactStatus::Slide } else { ContactStatus::Stick };
-    let statuses = frictional.iter().map(status).collect();
-    let choice = if least.motion_depends_on_choice { Choice::DecidesMotion } else { Choice::Idle };
-    let parts = Vec::new();
-    Ok(Some((BlocksSolution { reactions, velocities, statuses, parts, report }, choice)))
+    found
 }
 
 /// Rotations that friction resists.
@@ -468,7 +343,7 @@ fn rotations_of(
 }
 
 /// The direction in which a rotation turns; none while it is held.
-fn turning(assembly: &Assembly, law: &ResistedRotation, solved: &BlocksSolution) -> Option<DVec3> {
+fn turning(assembly: &Assembly, law: &ResistedRotation, solved: &Answer) -> Option<DVec3> {
     let mut of_rows = vec![0.0; assembly.problem.len()];
     for (row, part) in law.rows.clone().zip(direction_of(solved, law)?) {
         of_rows[row] = part;
@@ -479,7 +354,7 @@ fn turning(assembly: &Assembly, law: &ResistedRotation, solved: &BlocksSolution)
 /// What friction does at a contact, from the solution of all rows: its normal row and its first tangential one. A force
 /// of at most `rounding` (N) is none.
 fn contact_tangent(
-    solved: &BlocksSolution,
+    solved: &Answer,
     (normal, first): (usize, usize),
     (id, friction): (ContactId, &Frictional),
     rounding: f64,
@@ -550,18 +425,11 @@ fn add_up_pairs(contacts: &[Touch], tangential: &mut [Option<ContactTangent>]) {
     }
 }
 
-/// The solution of the first rows, those of contacts and pivots.
-fn contact_solution(solved: &BlocksSolution, rows: usize) -> ContactSolution {
-    let forces: Vec<f64> = solved.reactions.iter().take(rows).copied().collect();
-    let carry = forces.iter().enumerate().filter(|&(_, &force)| force > 0.0).map(|(row, _)| row);
-    ContactSolution {
-        residual_accelerations: solved.velocities.iter().take(rows).copied().collect(),
-        held: forces.iter().map(|&force| force > 0.0).collect(),
-        squeeze: Vec::new(),
-        warm_start: WarmStart::new(carry.collect()),
-        report: solved.report,
-        forces,
-    }
+/// The answer of the first rows, those of contacts and pivots.
+fn of_contacts_and_joints(mut solved: Answer, rows: usize) -> Answer {
+    solved.reactions.truncate(rows);
+    solved.velocities.truncate(rows);
+    solved
 }
 
 /// Lets contacts slide whose slips grow by more than rounding, so that their forces are found as those of contacts that

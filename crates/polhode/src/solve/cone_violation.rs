@@ -7,7 +7,7 @@
 
 /// Most that forces and impulses may violate Coulomb's law by, relative to the largest of their problem (no unit, 1e-6
 /// to 1e-4). Time steps solve for impulses to a tenth of it. Where a face bears just what friction allows, the least
-/// change that takes out what a solver left (`sticking_forces.rs`) may carry one of its contacts beyond its cone by
+/// change that takes out what a solver left may carry one of its contacts beyond its cone by
 /// some 1e-6, although all of them together bear the load.
 pub(crate) const CONE_LIMIT: f64 = 1e-5;
 

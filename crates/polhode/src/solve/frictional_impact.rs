@@ -22,14 +22,11 @@ use crate::rows::friction_blocks::{push_contact, with_rotations};
 use crate::rows::resisted_rotation::ResistedRotation;
 use crate::rows::rotation_row::RotationRow;
 use crate::scene::{FrictionEllipse, ImpactLaw};
-use crate::solve::reversal::reversal;
 use polhode_contact::ContactGeometry;
 use polhode_dynamics::BodyState;
 use polhode_response::impact::{Application, ImpactOutcome, ImpactStatus};
-use polhode_response::{
-    Blocks, MultipleFrictionalImpact, MultipleImpact, MultipleImpactSettings, MultipleImpactStatus, ResponseError,
-    RestitutionLaw,
-};
+use polhode_response::solve::impact::{BlockImpact, Blow, StruckBlocks, strike_blocks};
+use polhode_response::{Blocks, MultipleImpact, MultipleImpactStatus, ResponseError, RestitutionLaw};
 use polhode_spatial::{CompensatedSum, DVec3};
 
 /// An impact with friction.
@@ -56,9 +53,6 @@ pub(crate) enum Cause<'a> {
     /// They jam at this time (s) under these loads.
     Jam(f64, &'a Loads),
 }
-
-/// Largest residual of an impact that is taken for the rounding of velocities (no unit, 1e-6 to 1e-3).
-const LARGEST_VELOCITY_ROUNDING: f64 = 1e-4;
 
 /// Whether an impact gave the restitution asked for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -95,7 +89,6 @@ pub(crate) fn solve(
         Cause::Collision(_) => rotations_of(&mut assembly, model, states, contacts, &mut before)?,
         Cause::Jam(..) => Vec::new(),
     };
-    let delassus = assembly.problem.delassus();
     let accelerations = match cause {
         Cause::Collision(_) => None,
         Cause::Jam(t, loads) => {
@@ -104,43 +97,41 @@ pub(crate) fn solve(
             Some(assembly.acceleration_constants(model, t, states, &free, kinematics)?)
         }
     };
-    let rounding = tolerances::velocity_rounding(model, states, bodies);
-    take_out_rounding(&mut before, rounding);
-    let settings = settings_for(rounding, &before, cause);
+    let noise_floor = tolerances::velocity_rounding(model, states, bodies);
+    take_out_rounding(&mut before, noise_floor);
     let blocks = with_rotations(blocks, &rotations);
-    let mut restitution: Vec<f64> = contacts.iter().map(|touch| joint_contacts::restitution_at(model, touch)).collect();
-    // Pivots have no restitution.
-    restitution.resize(blocks.len(), 0.0);
+    let restitution: Vec<f64> = contacts.iter().map(|touch| joint_contacts::restitution_at(model, touch)).collect();
     let mirrored: Vec<usize> = (0..contacts.len())
         .filter(|&contact| contact_kinematics::mirrored(model, states, contacts[contact].id).is_some())
         .collect();
-    let impact = MultipleFrictionalImpact {
-        contacts: &blocks.problem(&delassus, &before)?,
+    let impact = BlockImpact {
+        rows: &assembly.problem,
+        blocks: &blocks,
+        before: &before,
+        noise_floor,
         restitution: &restitution,
         stand_for_several: &mirrored,
         law: law.of_contacts_with_friction(model.scene.method().pulse_exponent.unwrap_or_default()),
         single: single_law(model, law),
-        settings: &settings,
+        threshold: if let Cause::Collision(threshold) = cause { Some(threshold) } else { None },
     };
-    let reversed = if are_micro_collisions(model, contacts) { reversal(&impact, contacts.len())? } else { None };
-    let struck = match &accelerations {
-        None => reversed.map_or_else(|| impact.resolve(), Ok)?,
-        Some(accelerations) => impact.without_collision(&blocks.velocities_in_blocks(accelerations))?,
+    let blow = match &accelerations {
+        Some(accelerations) => Blow::Jam(accelerations),
+        None if are_micro_collisions(model, contacts) => Blow::MicroCollision,
+        None => Blow::Collision,
     };
-    let reactions = blocks.reactions_in_rows(&struck.impulses);
-    let velocities_after = blocks.velocities_in_rows(&struck.velocities_after);
-    let by_friction: f64 = struck.friction_work.iter().sum();
+    let StruckBlocks { reactions, velocities, changes, outcome, .. } = strike_blocks(&impact, blow)?;
+    let by_friction: f64 = outcome.friction_work.iter().sum();
     // Contacts of the cone problem are at zero to its residual: the energy is that of what the impulses really do. They
     // act along the rows. Where curves are nearly parallel, the rate of their separation is less exact than these.
-    let given = delassus.times(&reactions)?;
     for (velocity, touch) in before.iter_mut().zip(contacts) {
         *velocity = rate_of_separation(model, states, touch);
     }
-    let works = reactions.iter().zip(&given).zip(&before).map(|((p, given), before)| p * (before + 0.5 * given));
+    let works = reactions.iter().zip(&changes).zip(&before).map(|((p, given), before)| p * (before + 0.5 * given));
     let energy_change = works.collect::<CompensatedSum>().value();
     let friction_work_j = share_of_friction(by_friction, energy_change);
-    let rows = StruckRows { reactions, velocities_after, energy_change, friction_work_j };
-    Ok(impact_of(assembly, contacts.len(), &struck, rows))
+    let rows = StruckRows { reactions, velocities_after: velocities, energy_change, friction_work_j };
+    Ok(impact_of(assembly, contacts.len(), &outcome, rows))
 }
 
 /// Whether no contact approaches faster than a micro-collision, where there are any.
@@ -177,21 +168,6 @@ fn take_out_rounding(velocities: &mut [f64], rounding: f64) {
     for velocity in velocities.iter_mut().filter(|velocity| velocity.abs() <= rounding) {
         *velocity = 0.0;
     }
-}
-
-/// Settings of an impact with these velocities before (m/s), whose errors by rounding are known (m/s): where contacts
-/// hardly approach, redundant ones contradict each other by that.
-fn settings_for(rounding: f64, before: &[f64], cause: Cause<'_>) -> MultipleImpactSettings {
-    let mut settings = MultipleImpactSettings::default();
-    if let Cause::Collision(threshold) = cause {
-        settings.threshold = threshold;
-    }
-    let largest = before.iter().fold(0.0, |most: f64, velocity| most.max(velocity.abs()));
-    if largest > 0.0 {
-        settings.solver.acceptance =
-            settings.solver.acceptance.max((rounding / largest).min(LARGEST_VELOCITY_ROUNDING));
-    }
-    settings
 }
 
 /// What an impact did to the rows of an assembly.

@@ -1,16 +1,15 @@
 //! Forces that hold bodies at rest, of any number of contacts, without a matrix of their rows.
 //!
-//! All contacts are asked to stick; the forces are those of `standing.rs`, which balance to rounding and lie in the
-//! cones of static friction. None where no such forces were found: the bodies may move.
+//! All contacts are asked to stick; the forces balance to rounding and lie in the cones of static friction. None where
+//! no such forces were found: the bodies may move.
 
 use super::accelerations::{FreeMotion, blocks_of};
-use super::standing::standing;
 use crate::collision::touch::Touch;
 use crate::model::{Loads, Model};
 use crate::rows::assembly::Assembly;
 use crate::rows::frictional_contact::Frictional;
 use polhode_dynamics::BodyState;
-use polhode_response::ResponseError;
+use polhode_response::{Ask, Memory, ResponseError, RowProblem, SolverStatus, solve};
 use polhode_spatial::DVec3;
 
 /// Forces on body A of contacts, in their order, that hold bodies at rest.
@@ -40,7 +39,11 @@ impl HeldAtRest {
         let mut assembly = Assembly::new(model, states, bodies, rows)?;
         let blocks = blocks_of(&mut assembly, states, (contacts, &frictional))?;
         let FreeMotion { free, constants } = FreeMotion::of(&assembly, model, (t, states), contacts, loads)?;
-        let Some(held) = standing(&assembly, &blocks, (&free, &constants), &frictional)? else { return Ok(None) };
+        let problem = RowProblem { blocks: Some(&blocks), ..RowProblem::new(&assembly.problem, &constants) };
+        let held = solve(&problem, Ask::Balance { free: &free }, &mut Memory::default())?;
+        if held.report.status != SolverStatus::Solved {
+            return Ok(None);
+        }
         let normal = held.reactions.iter().take(contacts.len()).copied().collect();
         let mut forces = assembly.of_tangents(&held.reactions);
         let along = |friction: &Option<Frictional>| {

@@ -20,7 +20,8 @@ use crate::solve::frictional_impact::{self, Cause, FrictionalImpact, Restitution
 use crate::solve::rotational_friction::{apply_moments, moment_support, moment_work};
 use polhode_contact::ContactGeometry;
 use polhode_dynamics::BodyState;
-use polhode_response::impact::{self, Application, ImpactOutcome, ImpactProblem, ImpactSettings, ImpactStatus};
+use polhode_response::impact::{Application, ImpactOutcome, ImpactSettings, ImpactStatus};
+use polhode_response::solve::impact::{RowImpact, strike_rows};
 use polhode_response::solve::way;
 use polhode_response::{Memory, ResponseError, SolverSettings};
 use polhode_spatial::{DVec3, SplitMix64};
@@ -233,7 +234,6 @@ pub(crate) fn strike(
     restitution.resize(before.len(), 0.0);
     let row_law = law.of_rows(model.scene.method().pulse_exponent.unwrap_or_default());
     let order = in_order(model, law, &members, before.len());
-    let delassus = assembly.problem.delassus();
     // Bodies that fit exactly between others may appear to be compressed because of the rounding of velocities that
     // nearly cancel.
     let noise_floor = RATE_ROUNDING * largest_speed(model, states, &group.bodies);
@@ -241,17 +241,15 @@ pub(crate) fn strike(
     let contacts: Vec<_> = members.iter().map(|touch| (touch.id, touch.kinematics.geometry)).collect();
     let mut outcome = ImpactOutcome::default();
     for settings in [settings, &with_noise] {
-        let problem = ImpactProblem {
-            contacts: &assembly.problem,
-            delassus: &delassus,
-            u_before: &before,
+        let impact = RowImpact {
+            rows: &assembly.problem,
+            before: &before,
             restitution: &restitution,
+            law: row_law,
+            order: order.as_deref(),
             settings,
         };
-        outcome = match &order {
-            Some(order) => impact::propagation_in_order(&problem, memory.active_set(), order)?,
-            None => row_law.resolve(&problem, memory.active_set())?,
-        };
+        outcome = strike_rows(&impact, memory)?;
         if outcome.status != ImpactStatus::NotSolved {
             let impulses = contacts.iter().zip(&outcome.impulses).map(|((id, geometry), &p)| (*id, geometry, p));
             let reactions = assembly.reactions(&outcome.impulses);

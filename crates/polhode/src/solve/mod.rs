@@ -4,8 +4,8 @@
 //! | module | holds |
 //! |---|---|
 //! | `accelerations` | forces and accelerations at one instant: which contacts hold, stick and slide |
-//! | `sticking_forces`, `least_sliding_forces` | those of contacts that all stick, and of some that slide |
-//! | `standing`, `held_at_rest` | those of many contacts of bodies at rest |
+//! | `share_by_pressure` | the tangential force of a face, shared among its contacts |
+//! | `held_at_rest` | bodies at rest with many contacts, for limit analysis |
 //! | `impact`, `frictional_impact` | impulses of an impact, and of one with friction |
 //! | `bounce_friction` | what ending bounces takes, with the friction that belongs to it |
 //! | `rotational_friction` | moments of rolling and spinning: their work and their support |
@@ -16,7 +16,6 @@
 //! | `joint_reactions` | reactions of joints alone, under loads that are given |
 //! | `open_loads` | bearings whose load statics leaves open |
 //! | `cone_violation` | how far forces are from Coulomb's law |
-//! | `reversal` | the micro-collision of contacts that stick reverses the slip too (Mirtich) |
 
 pub(crate) mod accelerations;
 pub(crate) mod bounce_friction;
@@ -28,11 +27,8 @@ pub(crate) mod held_at_rest;
 pub(crate) mod impact;
 pub(crate) mod joint_loads;
 pub(crate) mod joint_reactions;
-mod least_sliding_forces;
 pub(crate) mod open_loads;
 pub(crate) mod overlap;
 pub(crate) mod projection;
-pub(crate) mod reversal;
 pub(crate) mod rotational_friction;
-mod standing;
-mod sticking_forces;
+mod share_by_pressure;

@@ -16,7 +16,8 @@ use crate::joints::{held, joint_friction};
 use crate::model::Model;
 use crate::rows::assembly::Assembly;
 use polhode_dynamics::BodyState;
-use polhode_response::{LeastNormHold, ResponseError};
+use polhode_response::ResponseError;
+use polhode_response::solve::held::Supports;
 use polhode_spatial::DVec3;
 
 /// The part of a force that other joints may bear as well from which on the load counts as open (no unit, 1e-5 to
@@ -33,8 +34,7 @@ pub(crate) fn leave_open(model: &Model, states: &[BodyState], bodies: &[usize]) 
         return Ok(false);
     }
     let assembly = Assembly::new(model, states, bodies, std::iter::empty())?;
-    let delassus = assembly.problem.delassus();
-    let hold = LeastNormHold::factor(&delassus)?;
+    let supports = Supports::of(&assembly.problem)?;
     let multipliers = |bearing: ConstraintId, force: DVec3| -> Vec<f64> {
         let across = Reaction { force, moment: DVec3::ZERO };
         let of = |own: ConstraintId| if own == bearing { across } else { Reaction::default() };
@@ -44,16 +44,7 @@ pub(crate) fn leave_open(model: &Model, states: &[BodyState], bodies: &[usize]) 
     for (bearing, axis) in bearings {
         let (first, second) = axis.any_orthonormal_pair();
         for force in [first, second] {
-            let mut x = multipliers(bearing, force);
-            for (row, multiplier) in x.iter_mut().enumerate() {
-                // Rows that nothing can move, as those across the plane of a planar motion, bear no load.
-                *multiplier *= f64::from(u8::from(delassus.get(row, row) > 0.0));
-            }
-            let undone: Vec<f64> = delassus.times(&x)?.iter().map(|rate| -rate).collect();
-            let y = hold.solve(&delassus, &undone)?;
-            let product = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
-            let whole = product(&x, &x);
-            if (whole - product(&x, &y)).abs() > OPEN_PART * whole {
+            if supports.open_part(multipliers(bearing, force))? > OPEN_PART {
                 return Ok(true);
             }
         }

@@ -199,7 +199,7 @@ fn move_out(
         let asked = Ask::Displacement { accuracy: accuracy(model, &members) };
         let found = solve(&problem, asked, memory)?;
         fallbacks += u64::from(found.report.status != SolverStatus::Solved);
-        let response = assembly.problem.response(&found.forces)?;
+        let response = assembly.problem.response(&found.reactions)?;
         let share = share_of_move(model, (&members, open_joint), assembly.split(&response));
         for (body, linear, angular) in assembly.split(&response) {
             let pose = &mut states[body].pose;

@@ -19,9 +19,8 @@ use crate::solve::overlap::Overlaps;
 use crate::solve::rotational_friction::{apply_moments, moment_work};
 use polhode_contact::{ContactGeometry, ContactKinematics};
 use polhode_dynamics::BodyState;
-use polhode_response::solve::way;
-use polhode_response::sparse::HeldForest;
-use polhode_response::{LeastNormHold, Memory, ResponseError};
+use polhode_response::solve::removal::{Limits, Removed, remove};
+use polhode_response::{Memory, ResponseError};
 use polhode_spatial::{DVec3, Rotation};
 use std::collections::BTreeMap;
 
@@ -61,14 +60,6 @@ const PARTIAL_RELATIVE: f64 = 5e-11;
 
 /// Separations below this fraction of the pair's size are negligible: removing them is not worth a large displacement.
 const NEGLIGIBLE_RELATIVE: f64 = 1e-13;
-
-/// A projection of negligible separations that moves bodies by more than this many times the largest of them
-/// (dimensionless) must be effective, or it is partial too: a buckled row of bodies between walls that is too long by a
-/// rounding error would straighten a little at every step without becoming shorter.
-const MODERATE_AMPLIFICATION: f64 = 1e3;
-
-/// An effective projection leaves at most this fraction of the largest separation (dimensionless).
-const EFFECTIVE_REMAINDER: f64 = 0.1;
 
 /// Result of a projection.
 #[derive(Debug, Clone, Default)]
@@ -269,7 +260,7 @@ pub(crate) fn project_positions(
             largest_change(model, moved.iter().map(|(&body, &(linear, angular))| (body, linear, angular)));
         let allowed = (allowance - displacement).max(0.0);
         let limits = Limits { allowed, negligible: NEGLIGIBLE_RELATIVE * size, opened };
-        let (multipliers, is_partial) = cancel(model, &assembly, &separations, limits)?;
+        let Removed { reactions: multipliers, is_partial, .. } = cancel(model, &assembly, &separations, limits)?;
         done.is_partial |= is_partial;
         move_by(states, &mut moved, assembly.split(&assembly.problem.response(&multipliers)?));
     }
@@ -387,7 +378,8 @@ pub(crate) fn project_velocities(
         Removal::Complete => f64::INFINITY,
         Removal::OfDrift => allowed_change(&rates, speed),
     };
-    let (multipliers, _) = cancel(model, &assembly, &rates, Limits { allowed, negligible: 0.0, opened: 0.0 })?;
+    let limits = Limits { allowed, negligible: 0.0, opened: 0.0 };
+    let multipliers = cancel(model, &assembly, &rates, limits)?.reactions;
     let along_tangents = slips.iter().zip(multipliers.iter().skip(assembly.first_tangent()));
     let along_tangents = along_tangents.map(|((row, _), &p)| (row.id, &row.along, p));
     let impulses = contacts.iter().zip(&multipliers).map(|((id, k), &p)| (*id, &k.geometry, p)).chain(along_tangents);
@@ -436,77 +428,10 @@ fn turn_rows(model: &Model, states: &[BodyState], (id, turn): (ContactId, Turn))
     rows.into_iter().flatten().map(row).collect()
 }
 
-/// How values may be cancelled.
-#[derive(Debug, Clone, Copy)]
-struct Limits {
-    /// The largest change of a point of a body, m or m/s.
-    allowed: f64,
-    /// Values below it are not worth a large change, m or m/s.
-    negligible: f64,
-    /// How far bilateral constraints are open in relation to the size of their bodies (no unit).
-    opened: f64,
-}
-
-/// Multipliers whose response cancels `values` on all rows. Returns whether only partially: because a point of a body
-/// would change by more than is allowed, or by much in relation to negligible values without cancelling them.
-fn cancel(
-    model: &Model,
-    assembly: &Assembly,
-    values: &[f64],
-    limits: Limits,
-) -> Result<(Vec<f64>, bool), ResponseError> {
-    if let Some(forest) = way::trees(&assembly.problem, assembly.joint_rows())
-        && let Some(multipliers) = cancel_by_trees(model, assembly, (&forest, values), limits)?
-    {
-        return Ok((multipliers, false));
-    }
-    let Limits { allowed, negligible, opened } = limits;
-    let delassus = assembly.problem.delassus();
-    let change_by = |multipliers: &[f64]| {
-        let response = assembly.problem.response(multipliers)?;
-        Ok::<_, ResponseError>(largest_change(model, assembly.split(&response)))
-    };
-    let multipliers = LeastNormHold::factor_open(&delassus, opened)?.solve(&delassus, values)?;
-    let change = change_by(&multipliers)?;
-    let is_moderate = largest(values) > negligible || change <= MODERATE_AMPLIFICATION * largest(values);
-    let is_effective = || {
-        let left: Vec<f64> =
-            delassus.times(&multipliers)?.iter().zip(values).map(|(given, value)| given + value).collect();
-        Ok::<_, ResponseError>(largest(&left) <= EFFECTIVE_REMAINDER * largest(values))
-    };
-    if change <= allowed && (is_moderate || is_effective()?) {
-        return Ok((multipliers, false));
-    }
-    let mut multipliers = LeastNormHold::factor_softly(&delassus)?.solve(&delassus, values)?;
-    let change = change_by(&multipliers)?;
-    if change > allowed {
-        for multiplier in &mut multipliers {
-            *multiplier *= allowed / change;
-        }
-    }
-    Ok((multipliers, true))
-}
-
-/// The same where trees of joints are eliminated first; none where that would change more than is allowed, or does not
-/// cancel the values.
-fn cancel_by_trees(
-    model: &Model,
-    assembly: &Assembly,
-    (forest, values): (&HeldForest, &[f64]),
-    limits: Limits,
-) -> Result<Option<Vec<f64>>, ResponseError> {
-    let problem = &assembly.problem;
-    let of_others = if forest.others().is_empty() {
-        Vec::new()
-    } else {
-        let beside = forest.beside(problem);
-        let of_others = forest.constants_beside(problem, values)?;
-        LeastNormHold::factor_beside(&beside, limits.opened)?.solve(&beside.delassus, &of_others)?
-    };
-    let found = forest.with_others(problem, values, &of_others)?;
-    let change = largest_change(model, assembly.split(&problem.response(&found.forces)?));
-    let is_effective = largest(&found.rates) <= EFFECTIVE_REMAINDER * largest(values);
-    Ok((change <= limits.allowed && is_effective).then_some(found.forces))
+/// Reactions whose response cancels `values` on all rows, or a part of them.
+fn cancel(model: &Model, assembly: &Assembly, values: &[f64], limits: Limits) -> Result<Removed, ResponseError> {
+    let change_of = |response: &[f64]| largest_change(model, assembly.split(response));
+    remove((&assembly.problem, assembly.joint_rows()), values, limits, change_of)
 }
 
 /// The allowed change to cancel `values`: of the order of the largest value, or negligible against `scale`.

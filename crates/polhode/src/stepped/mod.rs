@@ -19,14 +19,12 @@
 //! | `saved_loads` | the loads of joints over the last step as plain data |
 //! | `instant_forces` | what forces and accelerations at one instant are |
 //! | `present_forces` | forces and accelerations at one instant, for queries |
-//! | `forces_of_many` | the same of many contacts with friction |
 //! | `track_ends` | bodies that run off the ends of their tracks |
 //! | `unexpected` | pairs of bodies that met within a step although they were not expected to |
 
 mod comparison;
 mod engine;
 pub(crate) mod facts;
-mod forces_of_many;
 mod instant_forces;
 mod island_steps;
 mod islands;

@@ -1,7 +1,6 @@
 //! The forces of contacts at one instant, and the accelerations that they give, by the law that the steps obey: with
 //! the friction of contacts that stick or slide. They are queries; no step uses them.
 
-use super::forces_of_many::forces_of_many;
 use super::instant_forces::{BodyAcceleration, PresentForces, forces_on};
 use crate::collision::contact_kinematics;
 use crate::collision::contact_modes::ContactModes;
@@ -9,11 +8,10 @@ use crate::collision::friction_mode::{FrictionMode, Slide};
 use crate::collision::touch::Touch;
 use crate::collision::turn::{RotationModes, Turn};
 use crate::model::tolerances;
-use crate::solve::accelerations::Accelerations;
+use crate::solve::accelerations::{Accelerations, Wanted};
 use crate::solve::joint_loads::joint_loads;
 use crate::tier::core::Core;
 use polhode_dynamics::BodyState;
-use polhode_response::solve::way;
 use polhode_response::{Memory, ResponseError};
 use polhode_spatial::DVec3;
 
@@ -36,19 +34,13 @@ impl PresentForces {
         let loads = model.loads_on(core.t, states, bodies);
         let body = |(body, linear, angular): (usize, DVec3, DVec3)| BodyAcceleration { body, linear, angular };
         let contacts: Vec<Touch> = contacts.iter().map(|touch| with_modes(core, states, touch)).collect();
-        if way::are_many(contacts.len())
-            && !model.surfaces.have_rotational_friction()
-            && let Some(found) = forces_of_many(model, (core.t, states), bodies, &contacts, &loads)?
-        {
-            return Ok(found);
-        }
-        let mut solver = Memory::default();
-        let found = Accelerations::solve(model, (core.t, states), bodies, &contacts, &loads, &mut solver)?;
-        let normal: Vec<f64> = found.solution.forces.iter().take(contacts.len()).copied().collect();
+        let wanted = (Wanted::Present, &mut Memory::default());
+        let found = Accelerations::solve(model, (core.t, states), bodies, &contacts, &loads, wanted)?;
+        let normal: Vec<f64> = found.solution.reactions.iter().take(contacts.len()).copied().collect();
         let friction: Vec<DVec3> =
             found.contacts.iter().map(|tangent| tangent.map_or(DVec3::ZERO, |t| t.force)).collect();
         let on_contacts = forces_on(&contacts, &normal, &friction);
-        let joints = joint_loads(model, states, (&found.assembly, &found.solution.forces), on_contacts);
+        let joints = joint_loads(model, states, (&found.assembly, &found.solution.reactions), on_contacts);
         let accelerations = found.assembly.split(&found.of_bodies).map(body).collect();
         Ok(Self { normal, friction, accelerations, joints })
     }

@@ -31,7 +31,9 @@ use polhode_dynamics::BodyState;
 use polhode_dynamics::field::Wrench;
 use polhode_response::impact::{ImpactOutcome, ImpactSettings};
 use polhode_response::least_force::{LeastForceStage, least_force};
-use polhode_response::{Delassus, ResponseError, SolverReport, SolverSettings, SolverStatus, guesses, heuristic};
+use polhode_response::{
+    Ask, ResponseError, RowProblem, SolverReport, SolverSettings, SolverStatus, guesses, heuristic, solve,
+};
 use polhode_spatial::DVec3;
 
 /// A contact counts as resting if its rate of separation is at most the speed that gravity gives a body in this many
@@ -394,14 +396,14 @@ fn group_forces(
         ContactMethod::LeastForce => {
             let solution = least_force(&delassus, &b, &SolverSettings::default())?;
             let found = solution.stage != LeastForceStage::NoForces;
-            guessed_or_exact(core, &assembly, (&delassus, &b), found.then_some((solution.forces, solution.report)))?
+            guessed_or_exact(core, &assembly, &b, found.then_some((solution.forces, solution.report)))?
         }
         ContactMethod::Heuristic => {
             let solution = heuristic(&delassus, &b, &SolverSettings::default())?;
             core.accounts.note_residual(core.t, solution.report.residual);
             tell_stage(core, solution.stage);
             let found = solution.stage != LeastForceStage::NoForces;
-            guessed_or_exact(core, &assembly, (&delassus, &b), found.then_some((solution.forces, solution.report)))?
+            guessed_or_exact(core, &assembly, &b, found.then_some((solution.forces, solution.report)))?
         }
         ContactMethod::Guesses => {
             let solution = guesses(&delassus, &b, &SolverSettings::default())?;
@@ -410,10 +412,10 @@ fn group_forces(
                 core.accounts.warn(core.t, "guesses took contacts for vanishing: they bear no force and open");
             }
             let found = solution.report.status != SolverStatus::Infeasible;
-            guessed_or_exact(core, &assembly, (&delassus, &b), found.then_some((solution.forces, solution.report)))?
+            guessed_or_exact(core, &assembly, &b, found.then_some((solution.forces, solution.report)))?
         }
         ContactMethod::ActiveSet | ContactMethod::SequentialImpulses | ContactMethod::ConjugateGradients => {
-            exact_forces(core, &assembly, &delassus, &b)?
+            exact_forces(core, &assembly, &b)?
         }
     };
     let worst = &mut core.accounts.certificate.max_acceleration_error_bound;
@@ -443,7 +445,7 @@ fn tell_stage(core: &mut Core, stage: LeastForceStage) {
 fn guessed_or_exact(
     core: &mut Core,
     assembly: &Assembly,
-    (delassus, b): (&Delassus, &[f64]),
+    b: &[f64],
     found: Option<(Vec<f64>, SolverReport)>,
 ) -> Result<(Vec<f64>, f64), ResponseError> {
     match found {
@@ -454,20 +456,15 @@ fn guessed_or_exact(
                 _ => "a linear programme of least total force was not solved, and exact forces were used instead",
             };
             core.accounts.warn_of_tolerated(core.t, what);
-            exact_forces(core, assembly, delassus, b)
+            exact_forces(core, assembly, b)
         }
         None => Ok((vec![0.0; b.len()], 0.0)),
     }
 }
 
 /// Exact forces, from the complementarity problem, and the bound on the error of the accelerations.
-fn exact_forces(
-    core: &mut Core,
-    assembly: &Assembly,
-    delassus: &Delassus,
-    b: &[f64],
-) -> Result<(Vec<f64>, f64), ResponseError> {
-    let solution = core.memory.active_set().solve(&assembly.problem, delassus, b, None)?;
+fn exact_forces(core: &mut Core, assembly: &Assembly, b: &[f64]) -> Result<(Vec<f64>, f64), ResponseError> {
+    let solution = solve(&RowProblem::new(&assembly.problem, b), Ask::Instant, &mut core.memory)?;
     if solution.report.status != SolverStatus::Solved {
         let names = reported::names_of(&core.model, assembly.bodies());
         let residual = solution.report.residual;
@@ -475,7 +472,7 @@ fn exact_forces(
             format!("the solver found no contact forces of {names}: the relative residual stays at {residual:e}");
         core.accounts.note_unsolved(core.t, what);
     }
-    Ok((solution.forces.clone(), solution.report.bound))
+    Ok((solution.reactions, solution.report.bound))
 }
 
 /// Resultant force and torque of the contact forces on every movable body.

@@ -7,7 +7,8 @@
 use super::last_forces::LastForces;
 use crate::rows::assembly::Assembly;
 use crate::solve::cone_violation::{CONE_LIMIT, ConeViolation};
-use polhode_response::solve::step::{StepMemory, StepProblem, StepRows, is_in_bodies};
+use polhode_response::solve::step::{StepMemory, StepProblem, StepRows};
+use polhode_response::solve::way::is_in_bodies;
 
 /// Reactions whose violation of Coulomb's law is beyond this part of its limit are solved for to rounding (no unit,
 /// 0.01 to 1).

@@ -243,7 +243,7 @@ impl TimeStepper {
         let solved = solution.report.status == SolverStatus::Solved;
         let residual = solution.report.residual;
         let found = Found { residual, violation: None, stops: Vec::new() };
-        let mut impulses = solution.forces;
+        let mut impulses = solution.reactions;
         if !solved {
             let share = share_without_gain(&assembly, &members, &impulses)?;
             for impulse in &mut impulses {

@@ -15,6 +15,7 @@
 //! | `multiple_outcome` | [`MultipleImpact`]: what it did |
 //! | `simultaneous`, `sequence`, `pulse` | struck together, one at a time, as springs ([`MultipleImpactLaw`]) |
 //! | `springs`, `spring_contact`, `held_slip` | contacts as springs with friction, and which of them stick |
+//! | `reversal` | micro-collisions of contacts that stick reverse the slip too (Mirtich) |
 //! | `reactions` | what unit impulses at a contact do with joints held |
 //! | `without_collision` | impacts of contacts that jam, at one or several |
 //! | `part` | contacts that move each other, and their cone problems |
@@ -42,6 +43,7 @@ mod plane;
 pub(crate) mod pulse;
 mod reactions;
 mod restitution;
+pub(crate) mod reversal;
 mod root;
 mod sequence;
 mod simultaneous;

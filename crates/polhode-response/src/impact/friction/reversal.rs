@@ -7,15 +7,17 @@
 //!
 //! Here, for any number of contacts: with `p_0` the impulses that stop all contacts that carry (the cone problem
 //! without restitution) and stick them, `p = (1 + e) p_0` and `u+ = u_0 + e (u_0 - u-)`. `e` is the largest restitution
-//! of those contacts, that of the nearest, which is 1 where bodies touch (`collision/envelope.rs`): there this is
-//! Mirtich's rule, and no corner sinks below touch. `p` is in all cones with `p_0`; the energy changes by `1 - e^2`
+//! of those contacts; where it is 1, as of bodies that touch in micro-collisions, this is Mirtich's rule, and no corner
+//! sinks below touch. `p` is in all cones with `p_0`; the energy changes by `1 - e^2`
 //! times what a stop takes.
 //!
 //! It does not apply where a contact slips, carries with a velocity left, or would be left approaching.
 //!
 //! Source: Mirtich 1996, section 3.5 (p. 88).
 
-use polhode_response::{MultipleFrictionalImpact, MultipleImpact, MultipleImpactStatus, ResponseError};
+use super::multiple::MultipleFrictionalImpact;
+use super::multiple_outcome::{MultipleImpact, MultipleImpactStatus};
+use crate::error::ResponseError;
 
 /// The impact that reverses the velocities of all contacts that carry, of blocks of which the first `contacts` are
 /// contacts; none where one of them does not stick.

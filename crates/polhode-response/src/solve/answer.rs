@@ -1,0 +1,64 @@
+//! What rows took: the answer of each solve.
+
+use crate::complementarity::ContactSolution;
+use crate::friction::{BlocksSolution, ContactStatus};
+use crate::least_norm_hold::LeastNormForces;
+use crate::report::SolverReport;
+
+/// Moves forces of all rows among the points of one face, so that they do the same to the bodies.
+pub type Share<'a> = &'a dyn Fn(&mut [f64]);
+
+/// Whether the motion depends on which of several forces are taken that hold all contacts as well.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Choice {
+    /// It does not.
+    Idle,
+    /// It does.
+    DecidesMotion,
+}
+
+/// What rows took, in the order of the problem.
+#[derive(Debug, Clone, Default, PartialEq)]
+#[non_exhaustive]
+pub struct Answer {
+    /// Forces (N), impulses (N s), or what displaces bodies.
+    pub reactions: Vec<f64>,
+    /// What is left of the constant terms: accelerations (m/s^2), velocities (m/s) or gaps (m). Empty at a stage.
+    pub velocities: Vec<f64>,
+    /// What the contact of each block does; empty without blocks.
+    pub statuses: Vec<ContactStatus>,
+    /// What it does in its slip, its rolling and its spinning; open for what it does not resist.
+    pub parts: Vec<[ContactStatus; 3]>,
+    /// What the reactions add up to on each body, `J^T f`, in blocks of the problem's width: at large ratios of masses
+    /// only, where the sum of the rounded ones would accelerate light bodies.
+    pub on_bodies: Option<Vec<f64>>,
+    /// Where the least forces with which all contacts hold while some slide are the answer: whether others would give
+    /// another motion.
+    pub choice: Option<Choice>,
+    /// Whether no forces within the cones of the contacts that stick hold the rows, so that these are beyond them.
+    pub beyond_cones: bool,
+    /// What rounding of the reactions may leave of accelerations, m/s^2; 0 where it is not known.
+    pub rounding: f64,
+    /// The certificate.
+    pub report: SolverReport,
+}
+
+impl From<BlocksSolution> for Answer {
+    fn from(solved: BlocksSolution) -> Self {
+        let BlocksSolution { reactions, velocities, statuses, parts, report } = solved;
+        Self { reactions, velocities, statuses, parts, report, ..Self::default() }
+    }
+}
+
+impl From<ContactSolution> for Answer {
+    fn from(solved: ContactSolution) -> Self {
+        let ContactSolution { forces: reactions, residual_accelerations: velocities, report, .. } = solved;
+        Self { reactions, velocities, report, ..Self::default() }
+    }
+}
+
+impl From<LeastNormForces> for Answer {
+    fn from(least: LeastNormForces) -> Self {
+        Self { reactions: least.forces, on_bodies: least.loads, ..Self::default() }
+    }
+}

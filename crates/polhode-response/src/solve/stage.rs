@@ -1,0 +1,102 @@
+//! Rows that hold while contacts slide as they are said to: forces at a stage of a step, the modes of friction given.
+//!
+//! Where the rows do not determine the forces, those of least norm are taken, and where something slides those of least
+//! norm within the cones of the contacts that stick. Where masses differ much, or contacts resist rotations, the least
+//! ones are taken without a look at the cones. Failure: where no forces lie in the cones, the least ones are the
+//! answer, which [says so](Answer::beyond_cones).
+
+use super::answer::Answer;
+use super::problem::RowProblem;
+use super::way;
+use crate::delassus::Delassus;
+use crate::error::ResponseError;
+use crate::friction::Blocks;
+use crate::law::Law;
+use crate::least_in_cones::least_forces_in_cones;
+use crate::least_norm_hold::{LeastNormForces, least_norm_forces};
+use crate::sliding::{SlidingRow, least_norm_sliding_forces};
+use crate::sparse::{BesideForest, HeldForest};
+
+/// The forces of rows that are held, the last ones of which slide as their blocks say. The constant terms are of the
+/// rows that are held.
+///
+/// # Errors
+/// When a number is not finite.
+pub(super) fn solve(problem: &RowProblem<'_>, blocks: &Blocks) -> Result<Answer, ResponseError> {
+    let (rows, sliding) = (problem.rows, sliding_rows(blocks));
+    let held = rows.len().saturating_sub(sliding.len());
+    let constants = problem.constants.get(..held).unwrap_or(problem.constants);
+    if sliding.is_empty() {
+        let least = match way::trees(rows, problem.joints.clone()) {
+            Some(forest) => beside(problem, &forest)?,
+            None => least_norm_forces(rows, &rows.delassus(), constants)?,
+        };
+        return Ok(Answer::from(least));
+    }
+    let delassus = rows.delassus();
+    let least = least_norm_sliding_forces(rows, &delassus, constants, &sliding)?;
+    within_cones((&delassus, held, &sliding), blocks, least)
+}
+
+/// The forces of rows that are all held: of those beside the trees the least ones.
+fn beside(problem: &RowProblem<'_>, forest: &HeldForest) -> Result<LeastNormForces, ResponseError> {
+    let RowProblem { rows, constants, .. } = *problem;
+    let of_others = if forest.others().is_empty() {
+        Vec::new()
+    } else {
+        let BesideForest { problem: beside, delassus, .. } = forest.beside(rows);
+        least_norm_forces(&beside, &delassus, &forest.constants_beside(rows, constants)?)?.forces
+    };
+    Ok(LeastNormForces { forces: forest.with_others(rows, constants, &of_others)?.forces, loads: None })
+}
+
+/// The rows along which contacts slide or turn, in their order.
+fn sliding_rows(blocks: &Blocks) -> Vec<SlidingRow> {
+    let (mut sliding, mut first) = (Vec::new(), 0);
+    for law in blocks.laws() {
+        let rows = &blocks.rows()[first..first + law.rows()];
+        first += law.rows();
+        for (own, part) in law.parts() {
+            if part.slides
+                && let (Some(&normal), Some(&tangent)) = (rows.first(), rows.get(own.start))
+            {
+                sliding.push(SlidingRow { normal, tangent, coefficient: part.friction });
+            }
+        }
+    }
+    sliding.sort_by_key(|row| row.tangent);
+    sliding
+}
+
+/// The least forces within the cones that hold what `least` hold: the first `held` rows, with friction along those of
+/// `sliding`. Where there are none `least` stay, and violate Coulomb's law.
+fn within_cones(
+    (delassus, held, sliding): (&Delassus, usize, &[SlidingRow]),
+    blocks: &Blocks,
+    least: LeastNormForces,
+) -> Result<Answer, ResponseError> {
+    let turns = blocks.laws().iter().any(|law| law.resists_rotation());
+    // Forces that are known in twice the working precision, because masses differ much, would lose that.
+    if turns || least.loads.is_some() {
+        return Ok(Answer::from(least));
+    }
+    Ok(match least_forces_in_cones(delassus, held, sliding, &cones(blocks), &least.forces)? {
+        Some(forces) => Answer::from(LeastNormForces { forces, loads: None }),
+        None => Answer { beyond_cones: true, ..Answer::from(least) },
+    })
+}
+
+/// What bounds forces while some contacts slide: the cones of those that stick, and the push of all.
+fn cones(blocks: &Blocks) -> Blocks {
+    let mut cones = Blocks::default();
+    let mut first = 0;
+    for (place, law) in blocks.laws().iter().enumerate() {
+        match law {
+            Law::Slide { .. } => cones.push(Law::Push, blocks.rows()[first..].iter().copied().take(1)),
+            law if law.pushes() => blocks.push_to(&mut cones, place),
+            _ => {}
+        }
+        first += law.rows();
+    }
+    cones
+}
