@@ -19,7 +19,6 @@ use crate::collision::slip_directions::{self, SlipDirections};
 use crate::collision::turn::Turn;
 use crate::collision::{contact_kinematics, friction};
 use crate::identity::contact_id::ContactId;
-use crate::joints::bilateral::{Bilateral, Reaction};
 use crate::joints::joint_friction::MOST_ROUNDS_OF_BEARINGS;
 use crate::model::{Loads, Model, tolerances};
 use crate::rows::assembly::{Assembly, TangentRow};
@@ -27,6 +26,7 @@ use crate::rows::friction_blocks::{part_of, push_contact};
 use crate::rows::rotation_row::RotationRow;
 use crate::scene::FrictionEllipse;
 use crate::solve::cone_violation::{ConeViolation, RubbingForce, largest_violation};
+use crate::solve::reactions::Reactions;
 use polhode_contact::{ContactGeometry, ContactKinematics, TangentialKinematics};
 use polhode_dynamics::BodyState;
 use polhode_response::{Answer, Ask, Blocks, Law, Memory, Resistance, ResponseError, RowProblem};
@@ -102,15 +102,7 @@ impl FrictionContact {
 /// Forces of the held contacts and of bilateral constraints.
 #[derive(Debug, Default)]
 pub(super) struct HeldForces {
-    /// Of the contacts, along their normals, N.
-    pub(super) normal: Vec<f64>,
-    /// Of the contacts with friction, along tangents, N: the contact with the tangent in the place of its normal, force
-    /// on A.
-    pub(super) tangential: Vec<(ContactId, ContactGeometry, f64)>,
-    /// Of friction of rolling and spinning, N m, world, on A.
-    pub(super) moments: Vec<(ContactId, DVec3)>,
-    /// Of the bilateral constraints.
-    pub(super) reactions: Vec<(Bilateral, Reaction)>,
+    pub(super) reactions: Reactions,
     /// What all of them add up to on each body (body, N, N m), where the sum of the rounded forces would shake light
     /// bodies.
     pub(super) sums: Option<Vec<(usize, DVec3, DVec3)>>,
@@ -190,8 +182,6 @@ pub(super) fn solve(
     let Answer { reactions: forces, on_bodies, beyond_cones, .. } =
         with_loads_of_bearings(&mut assembly, constants, &laws.blocks)?;
     let violation = if beyond_cones { laws.violation(&forces) } else { None };
-    let tangential = assembly.of_tangents(&forces).map(|(row, force)| (row.id, row.along, force)).collect();
-    let moments = assembly.of_rotations(&forces).map(|(row, moment)| (row.id, row.axis * moment)).collect();
     let slips = friction.iter().filter_map(|contact| {
         let (direction, mu) = contact.sliding?;
         Some(mu * forces.get(contact.contact)? * direction.dot(contact.terms.slip_velocity))
@@ -205,10 +195,7 @@ pub(super) fn solve(
     Ok(HeldForces {
         dissipation: slips.sum::<f64>() + by_rotation,
         violation,
-        moments,
-        reactions: assembly.reactions(&forces).map(|(of, reaction)| (of.clone(), reaction)).collect(),
-        tangential,
-        normal: forces.get(..contacts.len()).unwrap_or_default().to_vec(),
+        reactions: Reactions::of(&assembly, contacts.len(), &forces),
         sums: on_bodies.map(|loads| assembly.split(&loads).collect()),
     })
 }

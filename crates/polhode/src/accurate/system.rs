@@ -18,15 +18,12 @@
 use super::held_forces::{self, FrictionContact, HeldForces};
 use crate::accounting::books::Received;
 use crate::collision::active_contacts::ActiveContacts;
-use crate::collision::{contact_kinematics, moving_surfaces};
+use crate::collision::contact_kinematics;
 use crate::identity::contact_id::ContactId;
-use crate::joints::bilateral::{self, bilateral_support};
 use crate::model::{Loads, Model, prescribed};
 use crate::reduced::tree::Tree;
 use crate::report::momentum_ledger::Momentum;
 use crate::solve::cone_violation::ConeViolation;
-use crate::solve::impact::support;
-use crate::solve::rotational_friction::{moment_support, moment_work};
 use crate::tier::smooth_rates::{add, add_outside_rates, free_rates};
 use polhode_contact::{ContactGeometry, ContactKinematics};
 use polhode_dynamics::state::{ANGULAR_MOMENTUM, LINEAR_VELOCITY, WIDTH};
@@ -182,8 +179,8 @@ impl<'a> ContactSystem<'a> {
                 }
             }
         }
-        for (bilateral, reaction) in &held.reactions {
-            for (body, force, moment) in bilateral.magnitudes(*reaction) {
+        for (bilateral, reaction) in held.reactions.of_bilaterals() {
+            for (body, force, moment) in bilateral.magnitudes(reaction) {
                 if let Ok(index) = self.bodies.binary_search(&body) {
                     sums[index][0] += force;
                     sums[index][1] += moment;
@@ -200,8 +197,12 @@ impl<'a> ContactSystem<'a> {
         &'b self,
         held: &'b HeldForces,
     ) -> impl Iterator<Item = (ContactId, &'b ContactGeometry, f64)> + Clone {
-        let normal = self.contacts.iter().zip(&held.normal).map(|((id, k), &force)| (*id, &k.geometry, force));
-        normal.chain(held.tangential.iter().map(|(id, along, force)| (*id, along, *force)))
+        held.reactions.at_contacts(self.geometries())
+    }
+
+    /// The contacts with their geometry.
+    fn geometries(&self) -> impl Iterator<Item = (ContactId, &ContactGeometry)> + Clone {
+        self.contacts.iter().map(|(id, kinematics)| (*id, &kinematics.geometry))
     }
 
     /// How many numbers follow those of the bodies.
@@ -226,8 +227,8 @@ impl<'a> ContactSystem<'a> {
 
     /// Adds the forces to the rates one by one.
     fn add_forces(&self, held: &HeldForces, rates: &mut [f64]) {
-        for (bilateral, reaction) in &held.reactions {
-            for (body, force, moment) in bilateral.loads(*reaction) {
+        for (bilateral, reaction) in held.reactions.of_bilaterals() {
+            for (body, force, moment) in bilateral.loads(reaction) {
                 self.add_load(body, force, moment, rates);
             }
         }
@@ -243,7 +244,7 @@ impl<'a> ContactSystem<'a> {
 
     /// Adds the moments of friction of rolling and spinning to the rates.
     fn add_moments(&self, held: &HeldForces, rates: &mut [f64]) {
-        for &(id, moment) in &held.moments {
+        for (id, moment) in held.reactions.of_rotations() {
             self.add_load(id.a, DVec3::ZERO, moment, rates);
             self.add_load(id.b, DVec3::ZERO, -moment, rates);
         }
@@ -268,25 +269,10 @@ impl<'a> ContactSystem<'a> {
     /// Rates of the momentum and energy from external agents.
     pub(super) fn outside_rates(&self, t: f64, held: &HeldForces, rates: &mut [f64]) {
         rates.fill(0.0);
-        let contacts = self.contact_forces(held);
-        let tangential = held.tangential.iter().map(|(id, along, force)| (*id, along, *force));
-        rates[19] = prescribed::prescribed_work(self.model, self.states, contacts.clone())
-            + moving_surfaces::surface_work(self.model, self.states, tangential);
-        let support = support(self.model, self.about, contacts);
+        rates[19] = held.reactions.work(self.model, self.states, self.geometries());
+        let support = held.reactions.support(self.model, self.about, self.geometries());
         add(&mut rates[..], support.linear);
         add(&mut rates[3..], support.angular);
-        if !held.moments.is_empty() {
-            let moments = || held.moments.iter().copied();
-            rates[19] += moment_work(self.model, self.states, moments());
-            add(&mut rates[3..], moment_support(self.model, moments()).angular);
-        }
-        if !held.reactions.is_empty() {
-            let reactions = || held.reactions.iter().map(|(of, reaction)| (of, *reaction));
-            rates[19] += bilateral::driven_work(self.model, self.states, reactions());
-            let support = bilateral_support(self.about, reactions());
-            add(&mut rates[..], support.linear);
-            add(&mut rates[3..], support.angular);
-        }
         add_outside_rates(self.model, t, (self.bodies, self.states), self.about, rates);
         if let Some(friction) = rates.get_mut(TAIL) {
             *friction = held.dissipation;

@@ -166,8 +166,8 @@ impl MicroCollisionEngine {
 
     /// Keeps the impulses of a step of `h` (s) as mean forces.
     fn note_forces(&mut self, members: &[Touch], struck: &Struck, h: f64) {
-        for (touch, impulse) in members.iter().zip(&struck.outcome.impulses) {
-            let along = struck.along_tangents().filter(|(id, ..)| *id == touch.id);
+        for (touch, impulse) in members.iter().zip(&struck.reactions.normal) {
+            let along = struck.reactions.along_tangents().filter(|(id, ..)| *id == touch.id);
             let friction: DVec3 = along.map(|(_, geometry, p)| geometry.normal * p).sum();
             if *impulse != 0.0 {
                 self.forces.push(MeanForce { id: touch.id, normal: impulse / h, friction: friction / h });

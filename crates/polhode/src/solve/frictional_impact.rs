@@ -14,7 +14,6 @@
 use crate::collision::touch::Touch;
 use crate::collision::turn::Turn;
 use crate::collision::{contact_kinematics, friction, slip_directions};
-use crate::identity::contact_id::ContactId;
 use crate::joints::joint_contacts;
 use crate::model::{Loads, Model, tolerances};
 use crate::rows::assembly::{Assembly, TangentRow};
@@ -22,12 +21,11 @@ use crate::rows::friction_blocks::{push_contact, with_rotations};
 use crate::rows::resisted_rotation::ResistedRotation;
 use crate::rows::rotation_row::RotationRow;
 use crate::scene::{FrictionEllipse, ImpactLaw};
-use polhode_contact::ContactGeometry;
 use polhode_dynamics::BodyState;
 use polhode_response::impact::{Application, ImpactOutcome, ImpactStatus};
 use polhode_response::solve::impact::{BlockImpact, Blow, StruckBlocks, strike_blocks};
 use polhode_response::{Blocks, MultipleImpact, MultipleImpactStatus, ResponseError, RestitutionLaw};
-use polhode_spatial::{CompensatedSum, DVec3};
+use polhode_spatial::CompensatedSum;
 
 /// An impact with friction.
 #[derive(Debug)]
@@ -35,10 +33,8 @@ pub(crate) struct FrictionalImpact {
     pub(crate) assembly: Assembly,
     /// Of the rows of contacts and pivots; changes of energy without the work of friction.
     pub(crate) outcome: ImpactOutcome,
-    /// Impulses along tangents, N s: the contact with the tangent in the place of its normal, and the impulse on A.
-    pub(crate) tangential: Vec<(ContactId, ContactGeometry, f64)>,
-    /// Impulses of moments of friction of rolling and spinning on A, N m s, world.
-    pub(crate) moments: Vec<(ContactId, DVec3)>,
+    /// Impulses of all rows, N s.
+    pub(crate) reactions: Vec<f64>,
     /// Work of the impulses along tangents and of moments, J; negative when energy is lost.
     pub(crate) friction_work_j: f64,
     /// The law of restitution that was kept.
@@ -185,8 +181,6 @@ struct StruckRows {
 fn impact_of(assembly: Assembly, contacts: usize, struck: &MultipleImpact, rows: StruckRows) -> FrictionalImpact {
     let StruckRows { reactions, velocities_after, energy_change, friction_work_j } = rows;
     let first = assembly.first_tangent();
-    let tangential = assembly.of_tangents(&reactions).map(|(row, impulse)| (row.id, row.along, impulse)).collect();
-    let moments = assembly.of_rotations(&reactions).map(|(row, moment)| (row.id, row.axis * moment)).collect();
     let applications = (0..contacts).filter(|&row| reactions[row] != 0.0).map(|row| Application {
         row,
         impulse: reactions[row],
@@ -201,14 +195,14 @@ fn impact_of(assembly: Assembly, contacts: usize, struck: &MultipleImpact, rows:
         energy_change: energy_change - friction_work_j,
         solves: struck.solves,
         residual: struck.residual,
-        impulses: reactions.into_iter().take(first).collect(),
+        impulses: reactions.iter().take(first).copied().collect(),
     };
     let restitution = match struck.status {
         _ if struck.energy_rises => Restitution::RaisesEnergy,
         MultipleImpactStatus::RestitutionLowered => Restitution::Lowered,
         _ => Restitution::Full,
     };
-    FrictionalImpact { assembly, outcome, tangential, moments, friction_work_j, restitution }
+    FrictionalImpact { assembly, outcome, reactions, friction_work_j, restitution }
 }
 
 /// Adds the rows of rotations that friction resists, and their velocities before the impact (m/s) to `before`.

@@ -8,6 +8,7 @@
 //! | `held_at_rest` | bodies at rest with many contacts, for limit analysis |
 //! | `impact`, `frictional_impact` | impulses of an impact, and of one with friction |
 //! | `bounce_friction` | what ending bounces takes, with the friction that belongs to it |
+//! | `reactions` | what the rows of a group take: where it acts, what it gives, which work it does |
 //! | `rotational_friction` | moments of rolling and spinning: their work and their support |
 //! | `projection`, `overlap` | projection of held contacts and joints; removal of penetration |
 //! | `closed_loops` | poses at which closed loops of joints are closed, and their rows there |
@@ -30,5 +31,6 @@ pub(crate) mod joint_reactions;
 pub(crate) mod open_loads;
 pub(crate) mod overlap;
 pub(crate) mod projection;
+pub(crate) mod reactions;
 pub(crate) mod rotational_friction;
 mod share_by_pressure;

@@ -125,10 +125,10 @@ fn note(model: &Model, states: &[BodyState], touches: &[Touch], struck: &Struck,
     let violation = struck.cone_violation(model, states, touches);
     report.cone_violation = ConeViolation::larger(report.cone_violation, violation);
     report.books.impact((outcome.energy_change, struck.friction_j), given, work);
-    report.told.take_struck(model, states, struck.reactions());
+    report.told.take_struck(model, states, struck.reactions.of_bilaterals());
     let mut tangential: BTreeMap<ContactId, DVec3> = BTreeMap::new();
-    for (id, along, impulse) in &struck.tangential {
-        *tangential.entry(*id).or_default() += along.normal * *impulse;
+    for own in &struck.reactions.tangential {
+        *tangential.entry(own.id).or_default() += own.vector();
     }
     // Rows of bilateral constraints follow those of the contacts: their impulses are no events.
     for application in &outcome.applications {

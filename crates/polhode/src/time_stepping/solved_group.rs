@@ -10,7 +10,7 @@ use super::contacts::{NearContact, kinematics_at_point};
 use super::kick::Kick;
 use super::row::Row;
 use super::shared_work::Kicked;
-use super::sustained_friction::{SustainedMoment, TangentialImpulse};
+use super::sustained_friction::Rubbing;
 use crate::accounting::time_step_report::{Stop, TimeStepReport};
 use crate::collision::moving_surfaces;
 use crate::constraint::softness::SoftWork;
@@ -21,7 +21,7 @@ use crate::model::states_of::{set_states, states_of};
 use crate::rows::groups::Group;
 use crate::solve::closed_loops::ClosedLoops;
 use crate::solve::cone_violation::ConeViolation;
-use crate::solve::impact::{Gain, apply_with_gain};
+use crate::solve::reactions::{Gain, Reactions};
 use polhode_contact::ContactGeometry;
 use polhode_dynamics::BodyState;
 use polhode_spatial::CompensatedSum;
@@ -29,14 +29,9 @@ use polhode_spatial::CompensatedSum;
 /// The impulses of one group.
 pub(super) struct SolvedGroup {
     pub(super) group: Group,
-    /// Along the normals, N s.
-    pub(super) impulses: Vec<f64>,
-    /// Of the contacts with friction.
-    pub(super) tangential: Vec<TangentialImpulse>,
-    /// Of friction of rolling and spinning, N m s, world, on A.
-    pub(super) moments: Vec<SustainedMoment>,
-    /// Of bilateral constraints.
-    pub(super) reactions: Vec<(Bilateral, Reaction)>,
+    pub(super) reactions: Reactions,
+    /// What friction is counted with.
+    pub(super) rubbing: Rubbing,
     pub(super) found: Found,
     /// The part of what was solved for that the impulses are: 1 where they were not shortened, 0 where none is applied.
     pub(super) share: f64,
@@ -65,7 +60,7 @@ impl SolvedGroup {
     /// present ones of the bodies: where large impulses cancel, these differ by rounding from the solution of the
     /// problem.
     pub(super) fn energy_change(&self, model: &Model, states: &[BodyState], rows: &[Row], near: &[NearContact]) -> f64 {
-        let parts = self.group.contacts.iter().zip(&self.impulses).filter(|(_, p)| **p > 0.0);
+        let parts = self.group.contacts.iter().zip(&self.reactions.normal).filter(|(_, p)| **p > 0.0);
         let change = |(&index, &p): (&usize, &f64)| {
             let row = &rows[index];
             let after =
@@ -75,40 +70,24 @@ impl SolvedGroup {
         parts.map(change).collect::<CompensatedSum>().value()
     }
 
-    pub(super) fn impulses_of<'a>(
+    /// The contacts with their geometry.
+    pub(super) fn geometries<'a>(
         &'a self,
         rows: &'a [Row],
         near: &'a [NearContact],
-    ) -> impl Iterator<Item = (ContactId, &'a ContactGeometry, f64)> + Clone {
-        self.normal_impulses(rows, near).chain(self.tangential.iter().flat_map(TangentialImpulse::parts))
+    ) -> impl Iterator<Item = (ContactId, &'a ContactGeometry)> + Clone {
+        self.group.contacts.iter().map(move |&index| (near[rows[index].contact].id, &rows[index].kinematics.geometry))
     }
 
-    pub(super) fn normal_impulses<'a>(
-        &'a self,
-        rows: &'a [Row],
-        near: &'a [NearContact],
-    ) -> impl Iterator<Item = (ContactId, &'a ContactGeometry, f64)> + Clone {
-        self.group.contacts.iter().zip(&self.impulses).map(move |(&index, &p)| {
-            let row = &rows[index];
-            (near[row.contact].id, &row.kinematics.geometry, p)
-        })
-    }
-
-    /// Energy lost to friction, J, with the present slips of the bodies.
+    /// Energy lost to friction, J, with the present slips and rotations of the bodies.
     pub(super) fn lost_to_friction_j(&self, model: &Model, states: &[BodyState]) -> f64 {
-        let lost = |impulse: &TangentialImpulse| impulse.lost_j(model, states);
-        self.tangential.iter().filter_map(lost).collect::<CompensatedSum>().value()
+        self.rubbing.lost_to_slip_j(&self.reactions, model, states)
+            + self.rubbing.lost_to_moments_j(&self.reactions, model, states)
     }
 
     /// Work of surfaces that move, J.
-    pub(super) fn work_of_surfaces(&self, model: &Model, states: &[BodyState]) -> f64 {
-        moving_surfaces::surface_work(model, states, self.tangential.iter().flat_map(TangentialImpulse::parts))
-    }
-
-    /// Energy lost to friction of rolling and spinning, J: `-p.(w- + w+)/2`, where `w+` are the present rotations.
-    pub(super) fn lost_to_moments_j(&self, model: &Model, states: &[BodyState]) -> f64 {
-        let lost = |moment: &SustainedMoment| moment.lost_j(model, states);
-        self.moments.iter().map(lost).collect::<CompensatedSum>().value()
+    fn work_of_surfaces(&self, model: &Model, states: &[BodyState]) -> f64 {
+        moving_surfaces::surface_work(model, states, self.reactions.along_tangents())
     }
 
     /// Works of springs, dampers and motors at joints, J.
@@ -117,7 +96,7 @@ impl SolvedGroup {
             let softness = of.softness.as_ref()?;
             Some(softness.works(of.multiplier(*reaction) / self.share, self.share))
         };
-        self.reactions.iter().filter_map(works).fold(SoftWork::default(), |sum, one| sum + one)
+        self.reactions.bilaterals.iter().filter_map(works).fold(SoftWork::default(), |sum, one| sum + one)
     }
 
     /// Applies the impulses. Those that would add energy are shortened, all by one factor, until they add none: the
@@ -145,9 +124,6 @@ impl SolvedGroup {
             let is_sound = share > 0.0 && !self.try_out(model, states, of, rows, near).is_excess();
             if !is_sound {
                 set_states(states, &self.group.bodies, &start);
-                self.impulses.fill(0.0);
-                self.tangential.clear();
-                self.moments.clear();
                 self.reactions.clear();
                 self.found.residual = self.residual_of_none(rows);
                 self.share = 0.0;
@@ -178,27 +154,20 @@ impl SolvedGroup {
         rows: &[Row],
         near: &[NearContact],
     ) -> Gain {
-        let impulses = (self.impulses_of(rows, near), self.reactions.iter().map(|(of, impulse)| (of, *impulse)));
-        let moments: Vec<_> = self.moments.iter().map(SustainedMoment::on_a).collect();
         let soft = self.soft_work();
         let by_soft = soft.spring + soft.damper + soft.motor;
         let kicked = Kicked { states, bodies, kick, loops };
-        let by_reactions = self.reactions.iter().map(|(of, impulse)| kicked.shared_by_reaction_j(of, *impulse));
-        let shared_j = kicked.shared_j(self.impulses_of(rows, near))
-            + kicked.shared_by_moments_j(moments.iter().copied())
+        let by_reactions = self.reactions.of_bilaterals().map(|(of, impulse)| kicked.shared_by_reaction_j(of, impulse));
+        let shared_j = kicked.shared_j(self.reactions.at_contacts(self.geometries(rows, near)))
+            + kicked.shared_by_moments_j(self.reactions.of_rotations())
             + by_reactions.sum::<f64>();
-        let given = (&moments[..], self.work_of_surfaces(model, states) + by_soft + shared_j);
-        apply_with_gain(model, states, &self.group.bodies, impulses, given)
+        let others = self.work_of_surfaces(model, states) + by_soft + shared_j;
+        self.reactions.apply_with_gain(model, states, (&self.group.bodies, self.geometries(rows, near)), others)
     }
 
     /// Leaves this part of the impulses.
     fn shorten(&mut self, part: f64) {
         self.share *= part;
-        self.impulses.iter_mut().for_each(|impulse| *impulse *= part);
-        self.tangential.iter_mut().for_each(|impulse| impulse.shorten(part));
-        self.moments.iter_mut().for_each(|moment| moment.shorten(part));
-        for (_, reaction) in &mut self.reactions {
-            *reaction = Reaction { force: reaction.force * part, moment: reaction.moment * part };
-        }
+        self.reactions.shorten(part);
     }
 }

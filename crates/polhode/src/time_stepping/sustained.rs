@@ -38,20 +38,19 @@ use super::shared_work::{ContactWork, Kicked};
 use super::solved_group::{Found, SolvedGroup};
 use super::step::TimeStepper;
 use super::step_rows::rows;
-use super::sustained_friction::{self, SustainedMoment, TangentialImpulse, TangentialRow};
+use super::sustained_friction::{self, Rubbing, TangentialRow};
 use crate::accounting::time_step_report::{ContactImpulse, Stop, TimeStepReport};
 use crate::constraint::row::BilateralRow;
-use crate::joints::bilateral::{self, Bilateral, bilateral_support};
+use crate::joints::bilateral::Bilateral;
 use crate::joints::soft_rows;
 use crate::model::states_of::{set_states, states_of};
-use crate::model::{Model, prescribed, tolerances};
+use crate::model::{Model, tolerances};
 use crate::rows::assembly::Assembly;
 use crate::rows::groups::{Group, coupled_groups};
 use crate::rows::many_contacts::furthest_out;
 use crate::solve::closed_loops::ClosedLoops;
-use crate::solve::impact::support;
+use crate::solve::reactions::{Reactions, TangentReaction};
 use crate::solve::joint_loads::ContactForce;
-use crate::solve::rotational_friction::{moment_support, moment_work};
 use polhode_dynamics::BodyState;
 use polhode_response::solve::way;
 use polhode_response::{Ask, ResponseError, RowProblem, SolverStatus, WarmStart, solve};
@@ -224,10 +223,11 @@ impl TimeStepper {
             };
             let found = sustained_friction::solve(assembly, states, constants, &friction, (cones, h, stops))?;
             report.factorisations += found.factorisations as u64;
-            let sustained_friction::FrictionalImpulses { normal: impulses, tangential, moments, reactions, .. } = found;
+            let sustained_friction::FrictionalImpulses { mut reactions, rubbing, .. } = found;
             let found = Found { residual: found.report.residual, violation: found.violation, stops: found.stops };
-            let reactions = kicked.loops.least(model, (states, &group.bodies), reactions)?;
-            return Ok(SolvedGroup { group, impulses, tangential, moments, reactions, found, share: 1.0 });
+            let joints = std::mem::take(&mut reactions.bilaterals);
+            reactions.bilaterals = kicked.loops.least(model, (states, &group.bodies), joints)?;
+            return Ok(SolvedGroup { group, reactions, rubbing, found, share: 1.0 });
         }
         let carried = (0..members.len()).filter(|&i| self.carried.contains(near[members[i].contact].id)).collect();
         // Rates of joints are differences of velocities, whatever the impulses are that follow from them.
@@ -250,10 +250,10 @@ impl TimeStepper {
                 *impulse *= share;
             }
         }
-        let reactions = assembly.reactions(&impulses).map(|(of, impulse)| (of.clone(), impulse)).collect();
-        let reactions = kicked.loops.least(model, (states, &group.bodies), reactions)?;
-        impulses.truncate(members.len());
-        Ok(SolvedGroup { group, impulses, tangential: Vec::new(), moments: Vec::new(), reactions, found, share: 1.0 })
+        let mut reactions = Reactions::of(&assembly, members.len(), &impulses);
+        let joints = std::mem::take(&mut reactions.bilaterals);
+        reactions.bilaterals = kicked.loops.least(model, (states, &group.bodies), joints)?;
+        Ok(SolvedGroup { group, reactions, rubbing: Rubbing::default(), found, share: 1.0 })
     }
 }
 
@@ -336,31 +336,26 @@ fn note(
     let states = kicked.states;
     let mut carrying = Vec::new();
     for group in solved {
-        let moments = || group.moments.iter().map(SustainedMoment::on_a);
-        let reactions = || group.reactions.iter().map(|(of, impulse)| (of, *impulse));
-        report.told.take(model, states, reactions());
+        let (reactions, contacts) = (&group.reactions, || group.geometries(rows, near));
+        report.told.take(model, states, reactions.of_bilaterals());
         let about = report.books.ledger.momentum.about;
-        let given = support(model, about, group.impulses_of(rows, near))
-            + moment_support(model, moments())
-            + bilateral_support(about, reactions());
-        let work = prescribed::prescribed_work(model, states, group.impulses_of(rows, near))
-            + bilateral::driven_work(model, states, reactions())
-            + moment_work(model, states, moments())
-            + group.work_of_surfaces(model, states);
-        let friction_j = group.lost_to_friction_j(model, states) + group.lost_to_moments_j(model, states);
+        let given = reactions.support(model, about, contacts());
+        let work = reactions.work(model, states, contacts());
+        let friction_j = group.lost_to_friction_j(model, states);
         let acting = ContactWork { normal_j: group.energy_change(model, states, rows, near), friction_j };
-        let rubbing = || group.tangential.iter().flat_map(TangentialImpulse::parts);
         let shared = ContactWork {
-            normal_j: kicked.shared_j(group.normal_impulses(rows, near)),
-            friction_j: kicked.shared_j(rubbing()) + kicked.shared_by_moments_j(moments()),
+            normal_j: kicked.shared_j(reactions.along_normals(contacts())),
+            friction_j: kicked.shared_j(reactions.along_tangents())
+                + kicked.shared_by_moments_j(reactions.of_rotations()),
         };
         let (work_j, of_integrator_j) = acting.in_symmetric_order(shared);
         report.books.impact((work_j.normal_j, work_j.friction_j), given, work);
-        report.books.stray(kicked.loops.stray_momentum(states, about, reactions()));
+        report.books.stray(kicked.loops.stray_momentum(states, about, reactions.of_bilaterals()));
         report.books.ledger.numerical.add(of_integrator_j);
         // Reactions do no work but for what the solver leaves.
         let after = kicked.loops.bilaterals(model, states, &group.group.bodies);
-        let (rigid, yielding): (Vec<_>, Vec<_>) = group.reactions.iter().partition(|(of, _)| of.softness.is_none());
+        let (rigid, yielding): (Vec<_>, Vec<_>) =
+            reactions.bilaterals.iter().partition(|(of, _)| of.softness.is_none());
         let by_reactions = rigid.iter().zip(after).map(|((of, impulse), after)| of.work(&after, *impulse));
         report.books.ledger.numerical.add(-by_reactions.sum::<f64>());
         let shared_j = yielding.iter().map(|(of, impulse)| kicked.shared_by_reaction_j(of, *impulse)).sum::<f64>();
@@ -371,12 +366,12 @@ fn note(
         report.books.ledger.damping.add(-soft.damper);
         report.books.ledger.external.add(soft.motor);
         // In the order of the contacts, of which only some have friction.
-        let mut tangential = group.tangential.iter().peekable();
-        for (&index, &impulse) in group.group.contacts.iter().zip(&group.impulses) {
+        let mut rubbing = group.rubbing.of_contacts(reactions).peekable();
+        for (&index, &impulse) in group.group.contacts.iter().zip(&reactions.normal) {
             let row = &rows[index];
             let contact = &near[row.contact];
-            let friction =
-                tangential.next_if(|own| own.id() == contact.id).map_or(DVec3::ZERO, TangentialImpulse::on_a);
+            let own = rubbing.next_if(|(row, _)| row.id() == contact.id);
+            let friction = own.map_or(DVec3::ZERO, |(_, own)| own.iter().map(TangentReaction::vector).sum());
             if impulse <= 0.0 {
                 continue;
             }

@@ -31,7 +31,6 @@ use crate::collision::slip_directions::{self, SlipDirections};
 use crate::collision::turn::Turn;
 use crate::collision::{contact_kinematics, friction};
 use crate::identity::contact_id::ContactId;
-use crate::joints::bilateral::{Bilateral, Reaction};
 use crate::joints::joint_friction::MOST_ROUNDS_OF_BEARINGS;
 use crate::model::{Model, tolerances};
 use crate::rows::assembly::{Assembly, TangentRow};
@@ -40,11 +39,12 @@ use crate::rows::resisted_rotation::ResistedRotation;
 use crate::rows::rotation_row::RotationRow;
 use crate::scene::FrictionEllipse;
 use crate::solve::cone_violation::{ConeViolation, RubbingForce, largest_violation};
+use crate::solve::reactions::{Reactions, TangentReaction};
 use polhode_contact::{ContactGeometry, ContactKinematics};
 use polhode_dynamics::BodyState;
 use polhode_response::friction::ContactStatus;
 use polhode_response::{Blocks, BlocksSolution, ResponseError, SolverReport};
-use polhode_spatial::DVec3;
+use polhode_spatial::{CompensatedSum, DVec3};
 use std::ops::Range;
 
 /// A slip below this fraction of what a step may change it by is none (1e-6 to 1e-4): contacts that stick are left with
@@ -127,6 +127,21 @@ impl TangentialRow {
     /// The rows along the tangents.
     pub(super) fn along(&self) -> impl Iterator<Item = TangentRow> + use<> {
         self.along.into_iter().take(self.slips.count())
+    }
+
+    /// The contact.
+    pub(super) fn id(&self) -> ContactId {
+        self.along[0].id
+    }
+
+    /// The relative velocity of the bodies where its rows act, in the present states, m/s; beside those along its
+    /// tangents its components are of no use.
+    fn present_slip(&self, model: &Model, states: &[BodyState]) -> Option<DVec3> {
+        let slip = contact_kinematics::tangential_kinematics(model, states, self.id())?.slip_velocity;
+        let Some(offset) = self.offset else { return Some(slip) };
+        let now = kinematics_at_point(model, states, self.id())?;
+        let approach = now.geometry.normal * now.separation_rate;
+        Some(slip + approach + contact_kinematics::relative_rotation(model, states, self.id()).cross(offset))
     }
 
     /// How many there are.
@@ -294,90 +309,55 @@ impl TangentialRow {
     }
 }
 
-/// A contact with friction and its impulse along the tangents, N s.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct TangentialImpulse {
-    row: TangentialRow,
-    impulse: [f64; 2],
+/// Rows of friction whose impulses are among some reactions: what their work is counted with.
+#[derive(Debug, Default)]
+pub(super) struct Rubbing {
+    /// Of the contacts with friction, in the order of their reactions along tangents.
+    rows: Vec<TangentialRow>,
+    /// Of each moment the rotation before, rad/s.
+    rotations_before: Vec<DVec3>,
 }
 
-impl TangentialImpulse {
-    /// Impulses on A along tangents, which stand in the place of the normal.
-    pub(super) fn parts(&self) -> impl Iterator<Item = (ContactId, &ContactGeometry, f64)> + Clone {
-        self.row.along.iter().zip(self.impulse).map(|(row, impulse)| (row.id, &row.along, impulse))
+impl Rubbing {
+    /// Each contact with friction, and its impulses along tangents.
+    pub(super) fn of_contacts<'a>(
+        &'a self,
+        reactions: &'a Reactions,
+    ) -> impl Iterator<Item = (&'a TangentialRow, &'a [TangentReaction])> {
+        let mut left = &reactions.tangential[..];
+        self.rows.iter().map_while(move |row| {
+            let (own, others) = left.split_at_checked(row.slips.count())?;
+            left = others;
+            Some((row, own))
+        })
     }
 
-    /// Leaves this part of it.
-    pub(super) fn shorten(&mut self, part: f64) {
-        self.impulse = self.impulse.map(|impulse| part * impulse);
+    /// Energy lost to friction of slip in the order of action, J: `-p.(u + u+)/2` with the slips after the kick and, in
+    /// the present states, after all impulses.
+    pub(super) fn lost_to_slip_j(&self, reactions: &Reactions, model: &Model, states: &[BodyState]) -> f64 {
+        let lost = |(row, own): (&TangentialRow, &[TangentReaction])| {
+            let slip = row.present_slip(model, states)?;
+            let of_row =
+                |(own, before): (&TangentReaction, f64)| -0.5 * own.value * (before + own.along.normal.dot(slip));
+            Some(own.iter().zip(row.slip).map(of_row).sum::<f64>())
+        };
+        self.of_contacts(reactions).filter_map(lost).collect::<CompensatedSum>().value()
     }
 
-    /// The impulse on A, N s, world.
-    pub(super) fn on_a(&self) -> DVec3 {
-        self.row.along.iter().zip(self.impulse).map(|(row, impulse)| row.along.normal * impulse).sum()
-    }
-
-    /// The relative velocity of the bodies where its rows act, in the present states, m/s; beside those along its
-    /// tangents its components are of no use.
-    fn slip(&self, model: &Model, states: &[BodyState]) -> Option<DVec3> {
-        let slip = contact_kinematics::tangential_kinematics(model, states, self.id())?.slip_velocity;
-        let Some(offset) = self.row.offset else { return Some(slip) };
-        let now = kinematics_at_point(model, states, self.id())?;
-        let approach = now.geometry.normal * now.separation_rate;
-        Some(slip + approach + contact_kinematics::relative_rotation(model, states, self.id()).cross(offset))
-    }
-
-    /// Energy lost to friction in the order of action, J: `-p.(u + u+)/2` with the slips after the kick and, in the
-    /// present states, after all impulses.
-    pub(super) fn lost_j(&self, model: &Model, states: &[BodyState]) -> Option<f64> {
-        let slip = self.slip(model, states)?;
-        let along = self.row.along.iter().zip(self.row.slip).zip(self.impulse);
-        Some(along.map(|((row, before), impulse)| -0.5 * impulse * (before + row.along.normal.dot(slip))).sum())
-    }
-
-    /// The contact.
-    pub(super) fn id(&self) -> ContactId {
-        self.row.along[0].id
-    }
-}
-
-/// The impulse of a moment of friction of rolling or spinning.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct SustainedMoment {
-    id: ContactId,
-    /// On A, N m s, world.
-    moment: DVec3,
-    /// `w-`, rad/s.
-    rotation_before: DVec3,
-}
-
-impl SustainedMoment {
-    /// Leaves this part of it.
-    pub(super) fn shorten(&mut self, part: f64) {
-        self.moment *= part;
-    }
-
-    /// The contact, and the impulse on A.
-    pub(super) fn on_a(&self) -> (ContactId, DVec3) {
-        (self.id, self.moment)
-    }
-
-    /// Energy lost to it, J: `-p.(w- + w+)/2` with the rotations in these states.
-    pub(super) fn lost_j(&self, model: &Model, states: &[BodyState]) -> f64 {
-        -0.5 * self.moment.dot(self.rotation_before + contact_kinematics::relative_rotation(model, states, self.id))
+    /// Energy lost to friction of rolling and spinning, J: `-p.(w- + w+)/2` with the rotations in these states.
+    pub(super) fn lost_to_moments_j(&self, reactions: &Reactions, model: &Model, states: &[BodyState]) -> f64 {
+        let lost = |(&(id, moment), before): (&(ContactId, DVec3), &DVec3)| {
+            -0.5 * moment.dot(*before + contact_kinematics::relative_rotation(model, states, id))
+        };
+        reactions.moments.iter().zip(&self.rotations_before).map(lost).collect::<CompensatedSum>().value()
     }
 }
 
 /// Impulses of contacts, some of them with friction.
 #[derive(Debug)]
 pub(super) struct FrictionalImpulses {
-    /// Along the normals, N s.
-    pub(super) normal: Vec<f64>,
-    pub(super) tangential: Vec<TangentialImpulse>,
-    /// Of friction of rolling and spinning, N m s, world, on A.
-    pub(super) moments: Vec<SustainedMoment>,
-    /// Of bilateral constraints.
-    pub(super) reactions: Vec<(Bilateral, Reaction)>,
+    pub(super) reactions: Reactions,
+    pub(super) rubbing: Rubbing,
     /// Contacts that come to rest within the step, among those that are asked for.
     pub(super) stops: Vec<Stop>,
     /// How far they are from Coulomb's law.
@@ -391,7 +371,7 @@ pub(super) struct FrictionalImpulses {
 fn violation_of(friction: &[Option<TangentialRow>], rows: &[Range<usize>], reactions: &[f64]) -> Option<ConeViolation> {
     let rubbing = |(contact, row): (usize, &Option<TangentialRow>)| {
         let row = row.as_ref()?;
-        let (ellipse, id) = (row.coefficient(), row.along[0].id);
+        let (ellipse, id) = (row.coefficient(), row.id());
         let normal = reactions.get(contact).copied()?;
         let tangential = ellipse.length(reactions.get(rows.get(contact)?.clone())?);
         Some(RubbingForce { pair: (id.a, id.b), normal, tangential, friction: ellipse.largest() })
@@ -436,19 +416,11 @@ pub(super) fn solve(
     let Settled { friction, solved, .. } = settled;
     let rows = rows.tangents;
     let violation = violation_of(&friction, &rows, &solved.reactions);
-    let normal = solved.reactions.get(..friction.len()).unwrap_or_default();
-    let rubbing = friction.iter().zip(&rows).filter_map(|(row, rows)| Some(((*row)?, rows)));
-    let tangential = rubbing.map(|(row, rows)| TangentialImpulse { row, impulse: of_both(&solved.reactions, rows) });
-    let tangential = tangential.collect();
-    let rotation = |id: ContactId| friction.iter().flatten().find(|row| row.along[0].id == id).map(|row| row.rotation);
-    let moments = assembly.of_rotations(&solved.reactions).map(|(row, moment)| {
-        let rotation_before = rotation(row.id).unwrap_or_default();
-        SustainedMoment { id: row.id, moment: row.axis * moment, rotation_before }
-    });
-    let moments = moments.collect();
-    let reactions = assembly.reactions(&solved.reactions).map(|(of, impulse)| (of.clone(), impulse)).collect();
-    let (normal, report) = (normal.to_vec(), solved.report);
-    Ok(FrictionalImpulses { normal, tangential, moments, reactions, stops, violation, report, factorisations })
+    let reactions = Reactions::of(&assembly, friction.len(), &solved.reactions);
+    let rotation = |id: ContactId| friction.iter().flatten().find(|row| row.id() == id).map(|row| row.rotation);
+    let rotations_before = reactions.moments.iter().map(|(id, _)| rotation(*id).unwrap_or_default()).collect();
+    let rubbing = Rubbing { rows: friction.iter().flatten().copied().collect(), rotations_before };
+    Ok(FrictionalImpulses { reactions, rubbing, stops, violation, report: solved.report, factorisations })
 }
 
 /// The rows of friction in a problem.
@@ -553,7 +525,7 @@ fn stops_of(
         let (row, rows) = (friction.get(place)?.as_ref()?, rows.tangents.get(place)?);
         let (pushed, along) = (of_both(&found.solved.velocities, rows), row.offset_along_slip(offset));
         let part = row.stops_at([pushed[0] - along[0], pushed[1] - along[1]])?;
-        Some(Stop { id: row.along[0].id, part })
+        Some(Stop { id: row.id(), part })
     };
     Ok((turned.iter().filter_map(stop).collect(), found.factorisations))
 }
@@ -566,7 +538,7 @@ fn resisted_rotations(
     let mut resisted = Vec::new();
     for (normal, friction) in friction.iter().enumerate() {
         let Some(friction) = friction else { continue };
-        let id = friction.along[0].id;
+        let id = friction.id();
         for (turn, friction, axes) in friction.rotations() {
             let first = assembly.problem.len();
             assembly.push_rotations(axes.into_iter().map(|axis| RotationRow { id, axis }))?;
