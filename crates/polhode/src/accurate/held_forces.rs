@@ -13,23 +13,23 @@
 //! masses differ much, or contacts resist rotations, the least ones are taken without a look at the cones.
 
 use crate::collision::active_contacts::ActiveContacts;
+use crate::collision::contact_kinematics;
 use crate::collision::contact_modes::ContactModes;
 use crate::collision::friction_mode::FrictionMode;
-use crate::collision::slip_directions::{self, SlipDirections};
 use crate::collision::turn::Turn;
-use crate::collision::{contact_kinematics, friction};
 use crate::identity::contact_id::ContactId;
 use crate::joints::joint_friction::MOST_ROUNDS_OF_BEARINGS;
 use crate::model::{Loads, Model, tolerances};
 use crate::rows::assembly::{Assembly, TangentRow};
 use crate::rows::friction_blocks::{part_of, push_contact};
+use crate::rows::frictional_contact::{FrictionalContact, Sliding};
 use crate::rows::rotation_row::RotationRow;
 use crate::scene::FrictionEllipse;
 use crate::solve::cone_violation::{ConeViolation, RubbingForce, largest_violation};
 use crate::solve::reactions::Reactions;
-use polhode_contact::{ContactGeometry, ContactKinematics, TangentialKinematics};
+use polhode_contact::ContactKinematics;
 use polhode_dynamics::BodyState;
-use polhode_response::{Answer, Ask, Blocks, Law, Memory, Resistance, ResponseError, RowProblem};
+use polhode_response::{Answer, Ask, Blocks, Memory, Resistance, ResponseError, RowProblem};
 use polhode_spatial::DVec3;
 use std::ops::Range;
 
@@ -46,16 +46,7 @@ struct ResistedTurn {
 pub(super) struct FrictionContact {
     /// Its index among the active contacts.
     contact: usize,
-    id: ContactId,
-    geometry: ContactGeometry,
-    terms: TangentialKinematics,
-    /// The directions in which it may slip.
-    slip: SlipDirections,
-    /// What its friction opposes: the direction in which it slides (with a grain another one), and its coefficient;
-    /// none when it sticks.
-    sliding: Option<(DVec3, f64)>,
-    /// What bounds its friction while it sticks.
-    at_rest: FrictionEllipse,
+    own: FrictionalContact,
     /// The angular velocity of A relative to B, rad/s.
     rotation: DVec3,
     /// The length in the rows of its rotations, m.
@@ -65,31 +56,25 @@ pub(super) struct FrictionContact {
 }
 
 impl FrictionContact {
-    /// The row along a tangent (unit vector, world).
-    fn row_along(&self, tangent: DVec3) -> TangentRow {
-        TangentRow::new(self.id, &self.geometry, &self.terms, tangent)
-    }
-
     /// The rows along the tangents along which it may slip, where it sticks.
     fn sticking_rows(&self) -> impl Iterator<Item = TangentRow> + '_ {
-        let tangents = self.slip.tangents(&self.terms.basis).iter().filter(|_| self.sliding.is_none());
-        tangents.map(|&tangent| self.row_along(tangent))
+        Some(&self.own).filter(|own| own.sliding.is_none()).into_iter().flat_map(FrictionalContact::rows)
+    }
+
+    /// The row along what friction opposes, where it slides.
+    fn sliding_row(&self) -> Option<TangentRow> {
+        Some(self.own.row_along(self.own.sliding?.row))
     }
 
     /// The row of a rotation about an axis (unit vector, world).
     fn row_about(&self, axis: DVec3) -> RotationRow {
-        RotationRow { id: self.id, axis: axis * self.turning_length }
+        RotationRow { id: self.own.id, axis: axis * self.turning_length }
     }
 
     /// The rows of rotations that are held.
     fn held_rotations(&self) -> impl Iterator<Item = RotationRow> + '_ {
         let held = self.turns.iter().flatten().filter(|resisted| resisted.turning.is_none());
-        held.flat_map(|resisted| self.axes_of(resisted.turn)).map(|axis| self.row_about(axis))
-    }
-
-    /// The axes of a rotation (unit vectors, world).
-    fn axes_of(&self, turn: Turn) -> Vec<DVec3> {
-        turn.axes(self.geometry.normal, (&self.terms.basis, self.slip))
+        held.flat_map(|resisted| self.own.axes_of(resisted.turn)).map(|axis| self.row_about(axis))
     }
 
     /// The rotations that turn: their rows and their friction there (no unit).
@@ -122,17 +107,7 @@ pub(super) fn friction_contacts<'a>(
     let resist = active.resist_rotation();
     let friction = move |(contact, (id, kinematics)): (usize, &(ContactId, ContactKinematics))| {
         let ContactModes { friction, rotation: modes } = active.modes(*id);
-        let mode = friction?;
-        let terms = contact_kinematics::tangential_kinematics(model, states, *id)?;
-        let coefficients = friction::friction_at(model, states, *id, terms.basis);
-        let at_rest = coefficients.map_or_else(FrictionEllipse::default, |own| own.at_rest);
-        let sliding = match mode {
-            FrictionMode::Sticking => None,
-            FrictionMode::Sliding(slide) => {
-                let ellipse = coefficients.map_or_else(FrictionEllipse::default, |own| own.sliding);
-                Some(ellipse.opposed(terms.basis, slide.direction_of(terms.slip_velocity)))
-            }
-        };
+        let own = FrictionalContact::of(model, states, (*id, kinematics.geometry), Some(friction?))?;
         let rotation = if resist { contact_kinematics::relative_rotation(model, states, *id) } else { DVec3::ZERO };
         let turns = Turn::ALL.map(|turn| {
             let turning = match modes.get(turn)? {
@@ -144,11 +119,8 @@ pub(super) fn friction_contacts<'a>(
             };
             Some(ResistedTurn { turn, turning })
         });
-        let geometry = kinematics.geometry;
         let turning_length = tolerances::turning_length(model, id.a, id.b);
-        let slip = slip_directions::slip_directions(model);
-        let id = *id;
-        Some(FrictionContact { contact, id, geometry, terms, slip, sliding, at_rest, rotation, turning_length, turns })
+        Some(FrictionContact { contact, own, rotation, turning_length, turns })
     };
     contacts.iter().enumerate().filter_map(friction)
 }
@@ -171,8 +143,7 @@ pub(super) fn solve(
     assembly.push_tangents(states, friction.iter().flat_map(FrictionContact::sticking_rows))?;
     assembly.push_rotations(friction.iter().flat_map(FrictionContact::held_rotations))?;
     let equations = assembly.problem.len();
-    let slides = friction.iter().filter_map(|contact| Some(contact.row_along(contact.sliding?.0)));
-    assembly.push_tangents(states, slides)?;
+    assembly.push_tangents(states, friction.iter().filter_map(FrictionContact::sliding_row))?;
     assembly.push_rotations(friction.iter().flat_map(|contact| contact.turning().map(|(row, _)| row)))?;
     let free = assembly.free_accelerations(model, states, loads);
     let kinematics = contacts.iter().map(|(id, kinematics)| (*id, kinematics));
@@ -183,8 +154,8 @@ pub(super) fn solve(
         with_loads_of_bearings(&mut assembly, constants, &laws.blocks)?;
     let violation = if beyond_cones { laws.violation(&forces) } else { None };
     let slips = friction.iter().filter_map(|contact| {
-        let (direction, mu) = contact.sliding?;
-        Some(mu * forces.get(contact.contact)? * direction.dot(contact.terms.slip_velocity))
+        let Sliding { row, coefficient, .. } = contact.own.sliding?;
+        Some(coefficient * forces.get(contact.contact)? * row.dot(contact.own.terms.slip_velocity))
     });
     let turns = friction.iter().flat_map(|contact| {
         let power =
@@ -236,7 +207,7 @@ impl NextRows {
         let sticking = assembly.first_tangent();
         let held_rotations = sticking + friction.iter().map(|own| own.sticking_rows().count()).sum::<usize>();
         let slipping = held_rotations + friction.iter().map(|own| own.held_rotations().count()).sum::<usize>();
-        let turning = slipping + friction.iter().filter(|own| own.sliding.is_some()).count();
+        let turning = slipping + friction.iter().filter(|own| own.own.sliding.is_some()).count();
         Self { sticking, held_rotations, slipping, turning }
     }
 }
@@ -265,17 +236,18 @@ impl<'a> Laws<'a> {
                 push_contact(&mut blocks, FrictionEllipse::default(), normal, 0..0);
                 continue;
             };
-            if let Some((_, friction)) = own.sliding {
-                blocks.push(Law::Slide { friction }, [normal, take(&mut next.slipping, 1).start]);
-            } else {
-                let tangents = take(&mut next.sticking, own.slip.count());
-                sticking.push((own, tangents.clone()));
-                push_contact(&mut blocks, own.at_rest, normal, tangents);
+            let tangents = match own.own.sliding {
+                Some(_) => take(&mut next.slipping, 1),
+                None => take(&mut next.sticking, own.own.slip.count()),
+            };
+            FrictionalContact::push_block(Some(&own.own), &mut blocks, normal, tangents.clone());
+            if own.own.sliding.is_none() {
+                sticking.push((own, tangents));
             }
             for resisted in own.turns.iter().flatten() {
                 let (own_rows, friction) = match resisted.turning {
                     Some((_, friction)) => (take(&mut next.turning, 1), friction),
-                    None => (take(&mut next.held_rotations, own.axes_of(resisted.turn).len()), 0.0),
+                    None => (take(&mut next.held_rotations, own.own.axes_of(resisted.turn).len()), 0.0),
                 };
                 let slides = resisted.turning.is_some();
                 let resistance = Resistance { rows: own_rows.len(), friction, slides };
@@ -288,11 +260,10 @@ impl<'a> Laws<'a> {
 
     /// How far contacts that stick are from Coulomb's law.
     fn violation(&self, forces: &[f64]) -> Option<ConeViolation> {
-        let rubbing = self.sticking.iter().map(|(own, rows)| RubbingForce {
-            pair: (own.id.a, own.id.b),
-            normal: forces[own.contact],
-            tangential: own.at_rest.length(&forces[rows.clone()]),
-            friction: own.at_rest.largest(),
+        let rubbing = self.sticking.iter().map(|(contact, rows)| {
+            let FrictionalContact { id, coefficients, .. } = contact.own;
+            let (normal, tangential) = (forces[contact.contact], coefficients.at_rest.length(&forces[rows.clone()]));
+            RubbingForce { pair: (id.a, id.b), normal, tangential, friction: coefficients.at_rest.largest() }
         });
         largest_violation(rubbing, 0.0)
     }

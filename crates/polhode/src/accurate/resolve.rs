@@ -206,8 +206,7 @@ impl Resolution<'_> {
         let about = self.core.accounts.books.ledger.momentum.about;
         let given = struck.support(&self.core.model, about, &members);
         self.core.accounts.books.impact((outcome.energy_change, struck.friction_j), given, work);
-        self.core
-            .note_friction(self.instant.t, struck.cone_violation(&self.core.model, &self.motions.states, &members));
+        self.core.note_friction(self.instant.t, struck.violation);
         self.instant.change.breaking.extend(breaking::broken_by(&self.core.model, &struck.reactions.bilaterals));
         let largest = outcome.applications.iter().fold(0.0, |most: f64, one| most.max(one.impulse.abs()));
         let is_event = |impulse: f64| impulse.abs() > NEGLIGIBLE_IMPULSE * largest;

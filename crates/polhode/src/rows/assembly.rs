@@ -280,6 +280,11 @@ impl Assembly {
         self.rotations.iter().zip(&self.rotation_rows).filter_map(|(row, &index)| Some((row, *values.get(index)?)))
     }
 
+    /// The rows of rotations.
+    pub(crate) fn rotations(&self) -> &[RotationRow] {
+        &self.rotations
+    }
+
     /// The rows along tangents.
     pub(crate) fn tangents(&self) -> &[TangentRow] {
         &self.tangents

@@ -24,7 +24,7 @@ use crate::identity::body_id::BodyId;
 use crate::identity::contact_id::{ContactId, Feature};
 use crate::report::frame::ContactView;
 use crate::rows::assembly::Assembly;
-use crate::rows::frictional_contact::Frictional;
+use crate::rows::frictional_contact::FrictionalContact;
 use crate::rows::groups::coupled_groups;
 use crate::solve::accelerations::blocks_of;
 use crate::tier::core::Core;
@@ -250,10 +250,11 @@ impl Group<'_> {
     /// Takes the margins of this group where they are narrower.
     fn narrow(self, stability: &mut Stability) -> Result<(), ResponseError> {
         let (model, states) = (&self.core.model, self.states);
-        let frictional: Vec<_> = self.touches.iter().map(|touch| Frictional::of(model, states, touch)).collect();
+        let frictional: Vec<_> =
+            self.touches.iter().map(|touch| FrictionalContact::of_touch(model, states, touch)).collect();
         let rows = self.touches.iter().map(|touch| (touch.id, touch.kinematics.geometry));
         let mut assembly = Assembly::new(model, states, self.bodies, rows)?;
-        let blocks = blocks_of(&mut assembly, states, (self.touches, &frictional))?;
+        let blocks = blocks_of(&mut assembly, states, &frictional)?;
         let loads = model.loads_on(self.core.t, states, self.bodies);
         let free = assembly.free_accelerations(model, states, &loads);
         let near = self.known_forces(&assembly, &frictional);
@@ -291,13 +292,13 @@ impl Group<'_> {
     }
 
     /// The forces that the run has found, in the order of the rows, N; zero where they are not known.
-    fn known_forces(&self, assembly: &Assembly, frictional: &[Option<Frictional>]) -> Vec<f64> {
+    fn known_forces(&self, assembly: &Assembly, frictional: &[Option<FrictionalContact>]) -> Vec<f64> {
         let known = |force: f64| if force.is_finite() { force } else { 0.0 };
         let mut forces = vec![0.0; assembly.problem.len()];
         let mut first = assembly.first_tangent();
         for (normal, (view, friction)) in self.views.iter().zip(frictional).enumerate() {
             forces[normal] = known(view.normal_force_n);
-            for tangent in friction.iter().flat_map(Frictional::tangents) {
+            for tangent in friction.iter().flat_map(FrictionalContact::tangents) {
                 forces[first] = known(view.friction_n.dot(tangent));
                 first += 1;
             }

@@ -9,17 +9,16 @@
 //! and kinetic friction differ, the contacts that cannot stick under the static coefficient slide under the kinetic
 //! one, and the problem is solved again until no further contact begins to slide.
 
+use crate::collision::contact_kinematics;
 use crate::collision::friction_mode::{FrictionCoefficients, FrictionMode};
 use crate::collision::touch::{Hold, Touch};
 use crate::collision::turn::Turn;
 use crate::identity::contact_id::ContactId;
 use crate::joints::joint_friction::MOST_ROUNDS_OF_BEARINGS;
 use crate::model::{Loads, Model, tolerances};
-use crate::rows::assembly::{self, Assembly, TangentRow};
-use crate::rows::friction_blocks::{direction_of, with_rotations};
-use crate::rows::frictional_contact::{Frictional, Sliding};
-use crate::rows::resisted_rotation::ResistedRotation;
-use crate::rows::rotation_row::RotationRow;
+use crate::rows::assembly::{self, Assembly};
+use crate::rows::frictional_contact::{FrictionalContact, Sliding};
+use crate::rows::resisted_rotation::{self, ResistedRotation, direction_of, with_rotations};
 use crate::solve::cone_violation::RubbingForce;
 use crate::solve::share_by_pressure::{StickingContact, share_by_pressure};
 use polhode_dynamics::BodyState;
@@ -129,7 +128,8 @@ impl Accelerations {
         loads: &Loads,
         (wanted, memory): (Wanted, &mut Memory),
     ) -> Result<Self, ResponseError> {
-        let mut frictional: Vec<_> = contacts.iter().map(|touch| Frictional::of(model, states, touch)).collect();
+        let mut frictional: Vec<_> =
+            contacts.iter().map(|touch| FrictionalContact::of_touch(model, states, touch)).collect();
         loop {
             let found = Self::of_laws(model, (t, states), bodies, (contacts, &frictional), (loads, wanted, memory))?;
             if begin_to_slide(&mut frictional, &found) {
@@ -154,13 +154,13 @@ impl Accelerations {
         model: &Model,
         (t, states): (f64, &[BodyState]),
         bodies: &[usize],
-        (contacts, frictional): (&[Touch], &[Option<Frictional>]),
+        (contacts, frictional): (&[Touch], &[Option<FrictionalContact>]),
         (loads, wanted, memory): (&Loads, Wanted, &mut Memory),
     ) -> Result<Self, ResponseError> {
         let rows = contacts.iter().map(|touch| (touch.id, touch.kinematics.geometry));
         let mut assembly = Assembly::new(model, states, bodies, rows)?;
-        let blocks = blocks_of(&mut assembly, states, (contacts, frictional))?;
-        let ResistedRotations { turns, laws: rotations } = rotations_of(&mut assembly, model, contacts, frictional)?;
+        let blocks = blocks_of(&mut assembly, states, frictional)?;
+        let rotations = rotations_of(&mut assembly, (model, states), (contacts, frictional))?;
         let FreeMotion { free, mut constants } = FreeMotion::of(&assembly, model, (t, states), contacts, loads)?;
         let blocks = with_rotations(blocks, &rotations);
         let sticking = sticking(&assembly, frictional);
@@ -199,9 +199,12 @@ impl Accelerations {
         });
         let mut tangential: Vec<Option<ContactTangent>> = tangential.collect();
         add_up_pairs(contacts, &mut tangential);
-        complete_slips((model, t, states), (contacts, frictional), (&assembly, &of_bodies), &mut tangential);
-        let turn = |law: &ResistedRotation| ContactTurn { turning: turning(&assembly, law, &solved) };
-        let turns = turns.into_iter().zip(rotations.iter().map(turn)).collect();
+        complete_slips((model, t, states), frictional, (&assembly, &of_bodies), &mut tangential);
+        let turn = |law: &ResistedRotation| {
+            let turning = turning(&assembly, law, &solved);
+            Some(((contacts.get(law.normal)?.id, law.turn), ContactTurn { turning }))
+        };
+        let turns = rotations.iter().filter_map(turn).collect();
         Ok(Self {
             are_alike: assembly.problem.has_alike_masses(),
             contacts: tangential,
@@ -265,25 +268,20 @@ fn largest(numbers: &[f64]) -> f64 {
 pub(crate) fn blocks_of(
     assembly: &mut Assembly,
     states: &[BodyState],
-    (contacts, frictional): (&[Touch], &[Option<Frictional>]),
+    frictional: &[Option<FrictionalContact>],
 ) -> Result<Blocks, ResponseError> {
     let mut blocks = Blocks::default();
-    for (normal, (touch, friction)) in contacts.iter().zip(frictional).enumerate() {
+    for (normal, friction) in frictional.iter().enumerate() {
         let first = assembly.problem.len();
-        let tangents = friction.iter().flat_map(|friction| {
-            let geometry = &touch.kinematics.geometry;
-            let row = |tangent| TangentRow::new(touch.id, geometry, &friction.terms, tangent);
-            friction.tangents().into_iter().map(row)
-        });
-        assembly.push_tangents(states, tangents)?;
-        Frictional::push_block(friction.as_ref(), &mut blocks, normal, first..assembly.problem.len());
+        assembly.push_tangents(states, friction.iter().flat_map(FrictionalContact::rows))?;
+        FrictionalContact::push_block(friction.as_ref(), &mut blocks, normal, first..assembly.problem.len());
     }
-    blocks.hold(contacts.len()..assembly.first_tangent());
+    blocks.hold(frictional.len()..assembly.first_tangent());
     Ok(blocks)
 }
 
 /// The contacts that stick, with their rows along tangents.
-fn sticking(assembly: &Assembly, frictional: &[Option<Frictional>]) -> Vec<StickingContact> {
+fn sticking(assembly: &Assembly, frictional: &[Option<FrictionalContact>]) -> Vec<StickingContact> {
     let mut first = assembly.first_tangent();
     let mut found = Vec::new();
     for (contact, friction) in frictional.iter().enumerate() {
@@ -298,48 +296,19 @@ fn sticking(assembly: &Assembly, frictional: &[Option<Frictional>]) -> Vec<Stick
     found
 }
 
-/// Rotations that friction resists.
-#[derive(Debug, Default)]
-struct ResistedRotations {
-    /// Their contacts, and which rotation it is.
-    turns: Vec<(ContactId, Turn)>,
-    /// What friction asks of each.
-    laws: Vec<ResistedRotation>,
-}
-
 /// Adds the rows of rotations that friction resists.
 fn rotations_of(
     assembly: &mut Assembly,
-    model: &Model,
-    contacts: &[Touch],
-    frictional: &[Option<Frictional>],
-) -> Result<ResistedRotations, ResponseError> {
-    let mut found = ResistedRotations::default();
-    if !model.surfaces.have_rotational_friction() {
-        return Ok(found);
-    }
-    for (normal, (touch, frictional)) in contacts.iter().zip(frictional).enumerate() {
-        let Some(frictional) = frictional else { continue };
-        for turn in Turn::ALL {
-            let Some(friction) = turn.coefficient(model, (touch.id.a, touch.id.b)) else { continue };
-            let axes = turn.axes(touch.kinematics.geometry.normal, (&frictional.terms.basis, frictional.slip));
-            let along = match touch.modes.rotation.get(turn) {
-                Some(FrictionMode::Sliding(slide)) => {
-                    let rotation = turn.part(frictional.rotation, touch.kinematics.geometry.normal);
-                    let direction = slide.direction_of(rotation);
-                    Some(vec![direction])
-                }
-                Some(FrictionMode::Sticking) | None => None,
-            };
-            let turns = along.is_some();
-            let axes = along.unwrap_or(axes);
-            let rows = assembly.problem.len()..assembly.problem.len() + axes.len();
-            assembly.push_rotations(axes.into_iter().map(|axis| RotationRow::about(model, touch.id, axis)))?;
-            found.turns.push((touch.id, turn));
-            found.laws.push(ResistedRotation { normal, turn, rows, friction, turns });
-        }
-    }
-    Ok(found)
+    (model, states): (&Model, &[BodyState]),
+    (contacts, frictional): (&[Touch], &[Option<FrictionalContact>]),
+) -> Result<Vec<ResistedRotation>, ResponseError> {
+    let turning = |place: usize, turn: Turn| {
+        let Touch { id, kinematics, modes, .. } = &contacts[place];
+        let Some(FrictionMode::Sliding(slide)) = modes.rotation.get(turn) else { return None };
+        let rotation = contact_kinematics::relative_rotation(model, states, *id);
+        Some(slide.direction_of(turn.part(rotation, kinematics.geometry.normal)))
+    };
+    resisted_rotation::push(assembly, model, frictional, turning)
 }
 
 /// The direction in which a rotation turns; none while it is held.
@@ -356,7 +325,7 @@ fn turning(assembly: &Assembly, law: &ResistedRotation, solved: &Answer) -> Opti
 fn contact_tangent(
     solved: &Answer,
     (normal, first): (usize, usize),
-    (id, friction): (ContactId, &Frictional),
+    (id, friction): (ContactId, &FrictionalContact),
     rounding: f64,
 ) -> ContactTangent {
     let sum = |of: &[f64]| {
@@ -390,18 +359,18 @@ fn contact_tangent(
 /// opposes, which with a grain is another one.
 fn complete_slips(
     (model, t, states): (&Model, f64, &[BodyState]),
-    (contacts, frictional): (&[Touch], &[Option<Frictional>]),
+    frictional: &[Option<FrictionalContact>],
     (assembly, accelerations): (&Assembly, &[f64]),
     tangential: &mut [Option<ContactTangent>],
 ) {
     if !model.surfaces.have_grain() {
         return;
     }
-    for ((touch, friction), tangent) in contacts.iter().zip(frictional).zip(tangential) {
+    for (friction, tangent) in frictional.iter().zip(tangential) {
         let (Some(friction), Some(tangent)) = (friction, tangent) else { continue };
         let Some(Sliding { direction, row, .. }) = friction.sliding else { continue };
         if row != direction {
-            let row = TangentRow::new(touch.id, &touch.kinematics.geometry, &friction.terms, direction);
+            let row = friction.row_along(direction);
             let along = (&row.along, row.acceleration_bias);
             let rate =
                 assembly::relative_acceleration(model, (t, states), row.id, along, assembly.split(accelerations));
@@ -435,15 +404,16 @@ fn of_contacts_and_joints(mut solved: Answer, rows: usize) -> Answer {
 /// Lets contacts slide whose slips grow by more than rounding, so that their forces are found as those of contacts that
 /// slide. The cone problem of heavy bodies on light ones is solved only to the rounding of the heavy ones' forces, and
 /// would let bodies that slide together slide on each other. Returns whether there are any.
-fn begin_exactly(frictional: &mut [Option<Frictional>], found: &Accelerations) -> bool {
+fn begin_exactly(frictional: &mut [Option<FrictionalContact>], found: &Accelerations) -> bool {
     let least = SLIDING_ROUNDING * (STICKING_ACCELERATION * found.scale + found.rounding);
     let mut any = false;
     for (friction, tangent) in frictional.iter_mut().zip(&found.contacts) {
         let (Some(friction), Some(tangent)) = (friction, tangent) else { continue };
         if friction.sliding.is_none() && tangent.slides && tangent.slip_acceleration.length() > least {
-            let along = |direction| Sliding::along(direction, &friction.coefficients, &friction.terms);
-            friction.sliding = tangent.begins_along().map(along);
-            any |= friction.sliding.is_some();
+            if let Some(direction) = tangent.begins_along() {
+                *friction = friction.sliding_along(direction);
+                any = true;
+            }
         }
     }
     any
@@ -451,16 +421,17 @@ fn begin_exactly(frictional: &mut [Option<Frictional>], found: &Accelerations) -
 
 /// Lets contacts slide that cannot stick and whose kinetic friction is below the static one. Returns whether there are
 /// any.
-fn begin_to_slide(frictional: &mut [Option<Frictional>], found: &Accelerations) -> bool {
+fn begin_to_slide(frictional: &mut [Option<FrictionalContact>], found: &Accelerations) -> bool {
     let mut any = false;
     for (friction, tangent) in frictional.iter_mut().zip(&found.contacts) {
         let (Some(friction), Some(tangent)) = (friction, tangent) else { continue };
         let growth = tangent.slip_acceleration.length();
         let slides = friction.sliding.is_none() && tangent.slides && growth > STICKING_ACCELERATION * found.scale;
         if slides && friction.coefficients.sliding.is_below(friction.coefficients.at_rest) {
-            let along = |direction| Sliding::along(direction, &friction.coefficients, &friction.terms);
-            friction.sliding = tangent.begins_along().map(along);
-            any |= friction.sliding.is_some();
+            if let Some(direction) = tangent.begins_along() {
+                *friction = friction.sliding_along(direction);
+                any = true;
+            }
         }
     }
     any

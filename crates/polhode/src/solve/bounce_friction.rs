@@ -21,11 +21,12 @@
 //! rolling and spinning, whose moments of friction are smaller by their length than those of the slip. Where the rounds
 //! do not converge, as where a slip presses its own contact, nothing is given back.
 
-use crate::collision::{contact_kinematics, friction, moving_surfaces};
+use crate::collision::{contact_kinematics, moving_surfaces};
 use crate::identity::contact_id::ContactId;
 use crate::model::states_of::{set_states, states_of};
 use crate::model::{Model, prescribed};
 use crate::rows::assembly::{TangentRow, apply_impulses};
+use crate::rows::frictional_contact::FrictionalContact;
 use crate::solve::projection::{Removal, RemovedVelocities, project_velocities};
 use polhode_contact::ContactGeometry;
 use polhode_dynamics::BodyState;
@@ -59,12 +60,12 @@ struct Sliding {
 impl Sliding {
     /// A contact whose slip is faster than `slowest` (m/s); none for another one, or without friction.
     fn of(model: &Model, states: &[BodyState], id: ContactId, slowest: f64) -> Option<Self> {
-        let terms = contact_kinematics::tangential_kinematics(model, states, id)?;
-        let friction = friction::friction_at(model, states, id, terms.basis)?;
-        let direction = (terms.slip_velocity.length() > slowest).then(|| terms.slip_velocity.try_normalize())??;
-        let (against, coefficient) = friction.sliding.opposed(terms.basis, direction);
         let geometry = contact_kinematics::kinematics(model, states, id)?.geometry;
-        Some(Self { row: TangentRow::new(id, &geometry, &terms, against), coefficient })
+        let own = FrictionalContact::of(model, states, (id, geometry), None)?;
+        let slip = own.terms.slip_velocity;
+        let direction = (slip.length() > slowest).then(|| slip.try_normalize())??;
+        let sliding = own.sliding_along(direction).sliding?;
+        Some(Self { row: own.row_along(sliding.row), coefficient: sliding.coefficient })
     }
 
     /// The impulse of friction on A along the row, N s, with those along the normals.

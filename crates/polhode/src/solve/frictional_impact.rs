@@ -12,15 +12,15 @@
 //! Coulomb's law (Painleve).
 
 use crate::collision::touch::Touch;
-use crate::collision::turn::Turn;
-use crate::collision::{contact_kinematics, friction, slip_directions};
+use crate::collision::{contact_kinematics, friction};
 use crate::joints::joint_contacts;
 use crate::model::{Loads, Model, tolerances};
-use crate::rows::assembly::{Assembly, TangentRow};
-use crate::rows::friction_blocks::{push_contact, with_rotations};
-use crate::rows::resisted_rotation::ResistedRotation;
-use crate::rows::rotation_row::RotationRow;
+use crate::rows::assembly::Assembly;
+use crate::rows::friction_blocks::push_contact;
+use crate::rows::frictional_contact::FrictionalContact;
+use crate::rows::resisted_rotation::{self, with_rotations};
 use crate::scene::{FrictionEllipse, ImpactLaw};
+use crate::solve::cone_violation::{ConeViolation, RubbingForce, largest_violation};
 use polhode_dynamics::BodyState;
 use polhode_response::impact::{Application, ImpactOutcome, ImpactStatus};
 use polhode_response::solve::impact::{BlockImpact, Blow, StruckBlocks, strike_blocks};
@@ -39,6 +39,8 @@ pub(crate) struct FrictionalImpact {
     pub(crate) friction_work_j: f64,
     /// The law of restitution that was kept.
     pub(crate) restitution: Restitution,
+    /// How far the impulses are from Coulomb's law.
+    pub(crate) violation: Option<ConeViolation>,
 }
 
 /// Why contacts are struck.
@@ -80,11 +82,14 @@ pub(crate) fn solve(
 ) -> Result<FrictionalImpact, ResponseError> {
     let rows = contacts.iter().map(|touch| (touch.id, touch.kinematics.geometry));
     let mut assembly = Assembly::new(model, states, bodies, rows)?;
-    let (blocks, mut before) = blocks_of(&mut assembly, model, states, contacts)?;
+    let of_contact = |touch: &Touch| FrictionalContact::of(model, states, (touch.id, touch.kinematics.geometry), None);
+    let frictional: Vec<_> = contacts.iter().map(of_contact).collect();
+    let (blocks, mut before) = blocks_of(&mut assembly, states, (contacts, &frictional))?;
     let rotations = match cause {
-        Cause::Collision(_) => rotations_of(&mut assembly, model, states, contacts, &mut before)?,
+        Cause::Collision(_) => resisted_rotation::push(&mut assembly, model, &frictional, |_, _| None)?,
         Cause::Jam(..) => Vec::new(),
     };
+    before.extend(assembly.rotations().iter().map(|row| row.rate(model, states)));
     let accelerations = match cause {
         Cause::Collision(_) => None,
         Cause::Jam(t, loads) => {
@@ -118,6 +123,7 @@ pub(crate) fn solve(
     };
     let StruckBlocks { reactions, velocities, changes, outcome, .. } = strike_blocks(&impact, blow)?;
     let by_friction: f64 = outcome.friction_work.iter().sum();
+    let violation = violation_of(&assembly, &frictional, &reactions);
     // Contacts of the cone problem are at zero to its residual: the energy is that of what the impulses really do. They
     // act along the rows. Where curves are nearly parallel, the rate of their separation is less exact than these.
     for (velocity, touch) in before.iter_mut().zip(contacts) {
@@ -127,7 +133,8 @@ pub(crate) fn solve(
     let energy_change = works.collect::<CompensatedSum>().value();
     let friction_work_j = share_of_friction(by_friction, energy_change);
     let rows = StruckRows { reactions, velocities_after: velocities, energy_change, friction_work_j };
-    Ok(impact_of(assembly, contacts.len(), &outcome, rows))
+    let struck = impact_of(assembly, contacts.len(), &outcome, rows);
+    Ok(FrictionalImpact { violation, ..struck })
 }
 
 /// Whether no contact approaches faster than a micro-collision, where there are any.
@@ -202,62 +209,48 @@ fn impact_of(assembly: Assembly, contacts: usize, struck: &MultipleImpact, rows:
         MultipleImpactStatus::RestitutionLowered => Restitution::Lowered,
         _ => Restitution::Full,
     };
-    FrictionalImpact { assembly, outcome, reactions, friction_work_j, restitution }
+    FrictionalImpact { assembly, outcome, reactions, friction_work_j, restitution, violation: None }
 }
 
-/// Adds the rows of rotations that friction resists, and their velocities before the impact (m/s) to `before`.
-fn rotations_of(
-    assembly: &mut Assembly,
-    model: &Model,
-    states: &[BodyState],
-    contacts: &[Touch],
-    before: &mut Vec<f64>,
-) -> Result<Vec<ResistedRotation>, ResponseError> {
-    let mut found = Vec::new();
-    if !model.surfaces.have_rotational_friction() {
-        return Ok(found);
-    }
-    for (normal, touch) in contacts.iter().enumerate() {
-        for turn in Turn::ALL {
-            let Some(friction) = turn.coefficient(model, (touch.id.a, touch.id.b)) else { continue };
-            let Some(terms) = contact_kinematics::tangential_kinematics(model, states, touch.id) else { continue };
-            let first = assembly.problem.len();
-            let axes = turn
-                .axes(touch.kinematics.geometry.normal, (&terms.basis, slip_directions::slip_directions(model)))
-                .into_iter();
-            let axes: Vec<RotationRow> = axes.map(|axis| RotationRow::about(model, touch.id, axis)).collect();
-            before.extend(axes.iter().map(|row| row.rate(model, states)));
-            assembly.push_rotations(axes.into_iter())?;
-            let rows = first..assembly.problem.len();
-            found.push(ResistedRotation { normal, turn, rows, friction, turns: false });
+/// How far impulses of all rows are from Coulomb's law.
+fn violation_of(
+    assembly: &Assembly,
+    frictional: &[Option<FrictionalContact>],
+    impulses: &[f64],
+) -> Option<ConeViolation> {
+    let mut tangents = assembly.of_tangents(impulses).peekable();
+    let mut rubbing = Vec::new();
+    for (normal, own) in frictional.iter().enumerate() {
+        let Some(own) = own else { continue };
+        let mut along = Vec::new();
+        while let Some((_, impulse)) = tangents.next_if(|(row, _)| row.id == own.id) {
+            along.push(impulse);
+        }
+        if !along.is_empty() {
+            let (pair, ellipse) = ((own.id.a, own.id.b), own.coefficients.sliding);
+            let (tangential, friction) = (ellipse.length(&along), ellipse.largest());
+            rubbing.push(RubbingForce { pair, normal: impulses[normal], tangential, friction });
         }
     }
-    Ok(found)
+    largest_violation(rubbing.into_iter(), 0.0)
 }
 
 /// Adds the rows along the tangents of contacts with friction. Returns the block of each contact and those of pivots,
 /// and the velocities of all rows before the impact, m/s.
 fn blocks_of(
     assembly: &mut Assembly,
-    model: &Model,
     states: &[BodyState],
-    contacts: &[Touch],
+    (contacts, frictional): (&[Touch], &[Option<FrictionalContact>]),
 ) -> Result<(Blocks, Vec<f64>), ResponseError> {
     let mut before = assembly.rates(contacts.iter().map(|touch| touch.kinematics.separation_rate));
     let mut blocks = Blocks::default();
-    for (normal, touch) in contacts.iter().enumerate() {
-        let friction = friction::friction_of(model, touch.id).filter(|friction| friction.sliding.largest() > 0.0);
-        let terms = friction.and_then(|_| contact_kinematics::tangential_kinematics(model, states, touch.id));
+    for (normal, friction) in frictional.iter().enumerate() {
+        let rubs = friction.as_ref().filter(|own| own.coefficients.sliding.largest() > 0.0);
         let first = assembly.problem.len();
-        let mut ellipse = FrictionEllipse::default();
-        if let Some(terms) = terms {
-            ellipse = friction::friction_at(model, states, touch.id, terms.basis)
-                .map_or(ellipse, |friction| friction.sliding);
-            let row = |tangent| TangentRow::new(touch.id, &touch.kinematics.geometry, &terms, tangent);
-            let tangents = slip_directions::slip_directions(model).tangents(&terms.basis);
-            assembly.push_tangents(states, tangents.iter().copied().map(row))?;
-            before.extend(tangents.iter().map(|tangent| tangent.dot(terms.slip_velocity)));
-        }
+        assembly.push_tangents(states, rubs.into_iter().flat_map(FrictionalContact::rows))?;
+        let slips = rubs.into_iter().flat_map(|own| own.tangents().into_iter().map(move |tangent| (own, tangent)));
+        before.extend(slips.map(|(own, tangent)| tangent.dot(own.terms.slip_velocity)));
+        let ellipse = rubs.map_or_else(FrictionEllipse::default, |own| own.coefficients.sliding);
         push_contact(&mut blocks, ellipse, normal, first..assembly.problem.len());
     }
     blocks.hold(contacts.len()..assembly.first_tangent());

@@ -7,7 +7,7 @@ use super::accelerations::{FreeMotion, blocks_of};
 use crate::collision::touch::Touch;
 use crate::model::{Loads, Model};
 use crate::rows::assembly::Assembly;
-use crate::rows::frictional_contact::Frictional;
+use crate::rows::frictional_contact::FrictionalContact;
 use polhode_dynamics::BodyState;
 use polhode_response::{Ask, Memory, ResponseError, RowProblem, SolverStatus, solve};
 use polhode_spatial::DVec3;
@@ -34,10 +34,11 @@ impl HeldAtRest {
         contacts: &[Touch],
         loads: &Loads,
     ) -> Result<Option<Self>, ResponseError> {
-        let frictional: Vec<_> = contacts.iter().map(|touch| Frictional::of(model, states, touch)).collect();
+        let frictional: Vec<_> =
+            contacts.iter().map(|touch| FrictionalContact::of_touch(model, states, touch)).collect();
         let rows = contacts.iter().map(|touch| (touch.id, touch.kinematics.geometry));
         let mut assembly = Assembly::new(model, states, bodies, rows)?;
-        let blocks = blocks_of(&mut assembly, states, (contacts, &frictional))?;
+        let blocks = blocks_of(&mut assembly, states, &frictional)?;
         let FreeMotion { free, constants } = FreeMotion::of(&assembly, model, (t, states), contacts, loads)?;
         let problem = RowProblem { blocks: Some(&blocks), ..RowProblem::new(&assembly.problem, &constants) };
         let held = solve(&problem, Ask::Balance { free: &free }, &mut Memory::default())?;
@@ -46,7 +47,7 @@ impl HeldAtRest {
         }
         let normal = held.reactions.iter().take(contacts.len()).copied().collect();
         let mut forces = assembly.of_tangents(&held.reactions);
-        let along = |friction: &Option<Frictional>| {
+        let along = |friction: &Option<FrictionalContact>| {
             let rows = friction.as_ref().map_or(0, |friction| friction.tangents().len());
             forces.by_ref().take(rows).map(|(row, force)| row.along.normal * force).sum()
         };

@@ -1,6 +1,5 @@
 //! Impacts: the impact law acts on approaching contacts, together with all contacts connected to them.
 
-use crate::collision::friction;
 use crate::collision::touch::Touch;
 use crate::constraint::ConstraintId;
 use crate::identity::body_id::BodyId;
@@ -14,9 +13,9 @@ use crate::rows::assembly::Assembly;
 use crate::rows::groups::Group;
 use crate::rows::many_contacts::furthest_out;
 use crate::scene::{ImpactLaw, PropagationOrder};
-use crate::solve::cone_violation::{ConeViolation, RubbingForce, largest_violation};
+use crate::solve::cone_violation::ConeViolation;
 use crate::solve::frictional_impact::{self, Cause, FrictionalImpact, Restitution, rate_of_separation};
-use crate::solve::reactions::{Reactions, TangentReaction};
+use crate::solve::reactions::Reactions;
 use polhode_contact::ContactGeometry;
 use polhode_dynamics::BodyState;
 use polhode_response::impact::{Application, ImpactOutcome, ImpactSettings, ImpactStatus};
@@ -37,6 +36,8 @@ pub(crate) struct Struck {
     pub(crate) reactions: Reactions,
     /// Energy lost to friction, J.
     pub(crate) friction_j: f64,
+    /// How far the impulses are from Coulomb's law.
+    pub(crate) violation: Option<ConeViolation>,
     /// Whether it gave the restitution asked for; without friction the status says so.
     pub(crate) restitution: Restitution,
 }
@@ -46,7 +47,7 @@ impl Struck {
     fn new(assembly: &Assembly, contacts: usize, outcome: ImpactOutcome, impulses: &[f64]) -> Self {
         let constraints = outcome.applications.iter().map(|application| assembly.constraint(application.row)).collect();
         let reactions = Reactions::of(assembly, contacts, impulses);
-        Self { outcome, constraints, reactions, friction_j: 0.0, restitution: Restitution::Full }
+        Self { outcome, constraints, reactions, friction_j: 0.0, violation: None, restitution: Restitution::Full }
     }
 
     /// Work of prescribed motions and of surfaces that move, J.
@@ -59,8 +60,8 @@ impl Struck {
         self.reactions.support(model, about, geometries(contacts))
     }
 
-    /// Puts what contacts at some places did among all contacts, of which the others had no impulse and have these rates
-    /// of separation (m/s).
+    /// Puts what contacts at some places did among all contacts; the others had no impulse and have these rates of
+    /// separation (m/s).
     fn spread(&mut self, places: &[usize], rates: &[f64]) {
         let spread = |of_some: &[f64], mut of_all: Vec<f64>| {
             let (of_contacts, of_pivots) = of_some.split_at(places.len().min(of_some.len()));
@@ -75,30 +76,6 @@ impl Struck {
             application.row = places[application.row];
         }
         self.reactions.normal = spread(&self.reactions.normal, vec![0.0; rates.len()]);
-    }
-
-    /// How far the impulses of contacts with friction, which are in the order of the impact, are from Coulomb's law.
-    pub(crate) fn cone_violation(
-        &self,
-        model: &Model,
-        states: &[BodyState],
-        contacts: &[Touch],
-    ) -> Option<ConeViolation> {
-        let normal_of = |id: ContactId| {
-            let place = contacts.iter().position(|touch| touch.id == id)?;
-            self.reactions.normal.get(place).copied()
-        };
-        let rubbing = |own: &[TangentReaction]| {
-            let (first, last) = (own.first()?, own.last()?);
-            let tangents = [first.along.normal, last.along.normal];
-            let ellipse = friction::friction_at(model, states, first.id, tangents)?.sliding;
-            let tangential = ellipse.length(&own.iter().map(|own| own.value).collect::<Vec<_>>());
-            let (pair, friction) = ((first.id.a, first.id.b), ellipse.largest());
-            Some(RubbingForce { pair, normal: normal_of(first.id)?, tangential, friction })
-        };
-        let tangential = &self.reactions.tangential;
-        let forces: Vec<RubbingForce> = tangential.chunk_by(|x, y| x.id == y.id).filter_map(rubbing).collect();
-        largest_violation(forces.into_iter(), 0.0)
     }
 }
 
@@ -304,10 +281,11 @@ fn strike_all_with_friction(
     members: &[Touch],
     law: (ImpactLaw, Cause<'_>),
 ) -> Result<Struck, ResponseError> {
-    let FrictionalImpact { assembly, outcome, reactions, friction_work_j, restitution } =
+    let FrictionalImpact { assembly, outcome, reactions, friction_work_j, restitution, violation } =
         frictional_impact::solve(model, states, bodies, members, law)?;
     let mut struck = Struck::new(&assembly, members.len(), outcome, &reactions);
-    (struck.friction_j, struck.restitution) = (-friction_work_j, restitution);
+    (struck.friction_j, struck.violation) = (-friction_work_j, violation);
+    struck.restitution = restitution;
     if struck.outcome.status != ImpactStatus::NotSolved {
         if restitution == Restitution::RaisesEnergy {
             struck.reactions.apply(model, states, geometries(members));

@@ -151,8 +151,8 @@ impl Reactions {
         apply_moments(model, states, self.of_rotations());
     }
 
-    /// Applies these impulses to the momenta of some bodies. Returns by how much the energy increased beyond the work of
-    /// prescribed motions and of `others`, J: what surfaces that move, springs and motors give.
+    /// Applies these impulses to the momenta of some bodies. Returns by how much the energy increased beyond the work
+    /// of prescribed motions and of `others`, J: what surfaces that move, springs and motors give.
     pub(crate) fn apply_with_gain<'a>(
         &'a self,
         model: &Model,

@@ -122,8 +122,7 @@ fn note(model: &Model, states: &[BodyState], touches: &[Touch], struck: &Struck,
     let about = report.books.ledger.momentum.about;
     let given = struck.support(model, about, touches);
     let work = struck.work(model, states, touches);
-    let violation = struck.cone_violation(model, states, touches);
-    report.cone_violation = ConeViolation::larger(report.cone_violation, violation);
+    report.cone_violation = ConeViolation::larger(report.cone_violation, struck.violation);
     report.books.impact((outcome.energy_change, struck.friction_j), given, work);
     report.told.take_struck(model, states, struck.reactions.of_bilaterals());
     let mut tangential: BTreeMap<ContactId, DVec3> = BTreeMap::new();

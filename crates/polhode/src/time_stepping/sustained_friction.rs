@@ -26,16 +26,17 @@ use super::contacts::kinematics_at_point;
 use super::middle::Stops;
 use super::shared_work::Kicked;
 use crate::accounting::time_step_report::Stop;
+use crate::collision::contact_kinematics;
 use crate::collision::friction_mode::FrictionCoefficients;
-use crate::collision::slip_directions::{self, SlipDirections};
+use crate::collision::slip_directions::SlipDirections;
 use crate::collision::turn::Turn;
-use crate::collision::{contact_kinematics, friction};
 use crate::identity::contact_id::ContactId;
 use crate::joints::joint_friction::MOST_ROUNDS_OF_BEARINGS;
 use crate::model::{Model, tolerances};
 use crate::rows::assembly::{Assembly, TangentRow};
-use crate::rows::friction_blocks::{push_contact, with_rotations};
-use crate::rows::resisted_rotation::ResistedRotation;
+use crate::rows::friction_blocks::push_contact;
+use crate::rows::frictional_contact::FrictionalContact;
+use crate::rows::resisted_rotation::{ResistedRotation, with_rotations};
 use crate::rows::rotation_row::RotationRow;
 use crate::scene::FrictionEllipse;
 use crate::solve::cone_violation::{ConeViolation, RubbingForce, largest_violation};
@@ -95,10 +96,9 @@ impl TangentialRow {
         id: ContactId,
         (kinematics, kicked): (&ContactKinematics, Kicked<'_>),
     ) -> Option<Self> {
-        friction::friction_of(model, id)?;
-        let terms = contact_kinematics::tangential_kinematics(model, states, id)?;
-        let coefficients = friction::friction_at(model, states, id, terms.basis)?;
-        let along = terms.basis.map(|tangent| TangentRow::new(id, &kinematics.geometry, &terms, tangent));
+        let own = FrictionalContact::of(model, states, (id, kinematics.geometry), None)?;
+        let FrictionalContact { terms, coefficients, slip: slips, .. } = own;
+        let along = terms.basis.map(|tangent| own.row_along(tangent));
         let slip = terms.basis.map(|tangent| tangent.dot(terms.slip_velocity));
         let rotational = Turn::ALL.map(|turn| turn.coefficient(model, (id.a, id.b)));
         let turning_length = tolerances::turning_length(model, id.a, id.b);
@@ -112,7 +112,7 @@ impl TangentialRow {
             whole_change: [0.0; 2],
             given: 0.0,
             along,
-            slips: slip_directions::slip_directions(model),
+            slips,
             offset: None,
             slip,
             kicked,
