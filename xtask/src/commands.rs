@@ -41,6 +41,8 @@ pub(crate) const CHECKS: &[Check] = &[
             "--exclude",
             "xtask",
             "--exclude",
+            "one-build",
+            "--exclude",
             "strict-hash",
             "--exclude",
             "polhode-cases",
@@ -55,8 +57,8 @@ pub(crate) const CHECKS: &[Check] = &[
         ],
         environment: &[],
     },
-    // The program that some cases run.
-    Check { arguments: &["build", "--package", "polhode-cli", "--quiet"], environment: &[] },
+    // The program that some cases run, with the libraries that the tests were built with.
+    Check { arguments: &["build", "--package", "polhode-cli", "--package", "one-build", "--quiet"], environment: &[] },
 ];
 
 /// The same for `--quick`: what takes seconds when nothing has to be compiled.
