@@ -97,9 +97,8 @@ fn steps<'a>(options: &Options, root: &'a Path, context: &'a Context, scenes: &'
             steps.push(Step::new(HOUSE, Company::Build, || house::check(root)));
         }
         if options.only.is_none() {
-            let checks = if options.extent.quick { commands::quick_checks() } else { commands::checks() };
-            let step = |check: commands::Check| Step::new(check.name(), Company::Build, move || vec![check.run(root)]);
-            steps.extend(checks.into_iter().map(step));
+            let checks = if options.extent.quick { commands::QUICK_CHECKS } else { commands::CHECKS };
+            steps.extend(checks.iter().map(|check| Step::new(check.name(), Company::Build, || vec![check.run(root)])));
         }
         let runs = |name: &str| selected(name) && (!options.extent.quick || cases::QUICK.contains(&name));
         steps.extend(
