@@ -40,6 +40,9 @@ mod study;
 mod telling;
 mod views;
 
+// It has no code: what this crate shares with the tests is compiled once for both.
+use one_build as _;
+
 /// What the package is made from; its public part is `polhode`.
 #[pyo3::pymodule(gil_used = false)]
 mod _polhode {

@@ -42,7 +42,8 @@ const LAYERS: &[Layer] = &[
         name: "polhode-cli",
         may_use: &["polhode", "polhode-elastic", "polhode-scene", "polhode-study", "polhode-view"],
     },
-    Layer { name: "polhode-py", may_use: &["polhode", "polhode-scene", "polhode-study", "polhode-view"] },
+    Layer { name: "polhode-py", may_use: &["polhode", "polhode-scene", "polhode-study", "polhode-view", "one-build"] },
+    Layer { name: "one-build", may_use: &[] },
     Layer { name: "strict-hash", may_use: &["polhode", "polhode-scene"] },
     Layer { name: "polhode-oracles", may_use: &["polhode-spatial", "polhode", "polhode-scene"] },
     Layer {
@@ -70,6 +71,7 @@ const LAYERS: &[Layer] = &[
             "polhode-scene",
             "polhode-view",
             "polhode-cli",
+            "one-build",
             "strict-hash",
             "polhode-oracles",
             "polhode-cases",

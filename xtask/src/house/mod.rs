@@ -12,6 +12,7 @@
 //! | `third_party` | libraries that stay in their private module |
 //! | `rules` | rules about one source file at a time |
 //! | `one_dependency` | the rule that an example names its own crate alone |
+//! | `one_build` | the rule that every build asks the same features of a library |
 //! | `kinds_of_joint` | no kind of joint is named outside of the folder of constraints |
 //! | `kinds_of_tier` | no kind of tier is named outside of the folders of tiers |
 //! | `module_tables` | every module stands in the table of its room |
@@ -31,6 +32,7 @@ mod kinds_of_joint;
 mod kinds_of_tier;
 mod layers;
 mod module_tables;
+mod one_build;
 mod one_dependency;
 mod project_file;
 mod rules;
@@ -87,6 +89,7 @@ pub(crate) fn check(root: &Path) -> Vec<Row> {
     };
     let sources = rust_sources(&files);
     let mut rows = vec![row("arrows between crates", &layers::check(root))];
+    rows.push(row("every build asks the same features of a library", &one_build::check(root)));
     rows.push(row("circles of files that import each other", &circles::check(&sources)));
     rows.push(row("parry3d and clarabel stay in their private module", &third_party::check(&sources)));
     rows.extend(rules::ALL.iter().map(|rule| row(rule.name, &rule.check(&sources))));

@@ -32,7 +32,7 @@ fn build(root: &Path) -> Result<PathBuf, Box<dyn Error>> {
     let own = std::env::current_exe()?;
     let folder = own.parent().ok_or("this program lies in no folder")?;
     let mut command = cargo(root);
-    command.args(["build", "--quiet", "--package", "polhode-cli"]);
+    command.args(["build", "--quiet", "--package", "polhode-cli", "--package", "one-build"]);
     if !folder.ends_with(DEBUG_FOLDER) {
         command.arg("--release");
     }
