@@ -2,6 +2,7 @@
 //!
 //! | contacts | unknowns | start |
 //! |---|---|---|
+//! | without friction, few | the reactions: the active set | the rows that bore something in the last step |
 //! | few | the reactions: the matrix of all rows is formed ([`friction`](crate::friction)) | none |
 //! | few, beside trees of joints | the reactions beside the trees: the matrix of those rows | those of the last step |
 //! | many | the velocities of bodies: no matrix of rows ([`sparse`](crate::sparse)) | those of the last step |
@@ -12,7 +13,10 @@
 //! Where one does not come to the residual asked for, the other is tried, unless the rows are too many for their
 //! matrix, and the better answer is taken. What is left is told.
 
+use super::problem::{Memory, RowProblem};
 use super::way::{self, STEP_MOST_ROWS, STEP_MOST_ROWS_IN_HEAPS};
+use super::without_friction::active_set;
+use crate::complementarity::{ContactSolution, WarmStart};
 use crate::delassus::Delassus;
 use crate::error::ResponseError;
 use crate::friction::{Blocks, BlocksSolution, FrictionSettings};
@@ -46,6 +50,8 @@ pub struct StepMemory {
     solvers: BTreeMap<usize, BodySolver>,
     /// Rounds of sweeps of each problem.
     rounds_of_sweeps: usize,
+    /// Of rows without friction.
+    of_pushes: Memory,
 }
 
 impl Clone for StepMemory {
@@ -68,6 +74,10 @@ pub struct StepRows<'a> {
     pub contacts: usize,
     /// The number, in the scene, of the first body: groups are told apart by it from step to step.
     pub group: Option<usize>,
+    /// The contacts that bore an impulse in the last step.
+    pub carried: &'a WarmStart,
+    /// The error of the constant terms by rounding, m/s.
+    pub noise_floor: f64,
 }
 
 impl StepMemory {
@@ -86,6 +96,14 @@ impl StepMemory {
         let in_bodies = rows.group.filter(|_| way::is_in_bodies(rows.rows, rows.contacts));
         let system = if let Some(first) = in_bodies {
             System::Bodies { solver: self.solvers.entry(first).or_default(), start: start() }
+        } else if rows.rows.len() == rows.contacts + rows.joints.len() {
+            let problem = RowProblem {
+                joints: rows.joints.clone(),
+                start: Some(rows.carried),
+                noise_floor: rows.noise_floor,
+                ..RowProblem::new(rows.rows, rows.constants)
+            };
+            System::Pushes { problem, memory: &mut self.of_pushes }
         } else if let Some(forest) = way::trees(rows.rows, rows.joints.clone()) {
             let of_others = |start: Vec<f64>| forest.others().iter().map(|&row| start[row]).collect();
             let start = start().map(of_others);
@@ -114,12 +132,20 @@ pub struct StepProblem<'a> {
 /// The unknowns of a problem.
 #[derive(Debug)]
 enum System<'a> {
+    /// Reactions of rows without friction.
+    Pushes { problem: RowProblem<'a>, memory: &'a mut Memory },
     /// Reactions; the matrix of all rows.
     Rows(Delassus),
     /// Reactions of the rows beside trees of joints; their matrix, and those of a similar problem.
     Beside { forest: HeldForest, delassus: Delassus, start: Option<Vec<f64>> },
     /// Velocities of bodies; reactions of a similar problem.
     Bodies { solver: &'a mut BodySolver, start: Option<Vec<f64>> },
+}
+
+/// The answer of the active set in the words of blocks, of which none has friction.
+fn of_pushes(solved: ContactSolution) -> BlocksSolution {
+    let ContactSolution { forces: reactions, residual_accelerations: velocities, report, .. } = solved;
+    BlocksSolution { reactions, velocities, statuses: Vec::new(), parts: Vec::new(), report }
 }
 
 impl StepProblem<'_> {
@@ -132,6 +158,7 @@ impl StepProblem<'_> {
     pub fn solve(&mut self, blocks: &Blocks, is_off: impl Fn(&[f64]) -> bool) -> Result<BlocksSolution, ResponseError> {
         let constants = self.constants;
         match &mut self.system {
+            System::Pushes { problem, memory } => Ok(of_pushes(active_set(problem, memory)?)),
             System::Rows(delassus) => {
                 let mut best = solve_for_rows(blocks, (delassus, constants), None, is_off)?;
                 let problem = self.rows;

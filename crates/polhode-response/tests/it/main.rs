@@ -28,6 +28,7 @@ mod least_force;
 mod mass_ratios;
 mod methods_tried;
 mod multiple_frictional_impacts;
+mod one_door;
 mod oracle;
 mod problem;
 mod pulse_with_friction;

@@ -7,8 +7,8 @@
 use super::last_forces::LastForces;
 use crate::rows::assembly::Assembly;
 use crate::solve::cone_violation::{CONE_LIMIT, ConeViolation};
+use polhode_response::WarmStart;
 use polhode_response::solve::step::{StepMemory, StepProblem, StepRows};
-use polhode_response::solve::way::is_in_bodies;
 
 /// Reactions whose violation of Coulomb's law is beyond this part of its limit are solved for to rounding (no unit,
 /// 0.01 to 1).
@@ -43,19 +43,26 @@ impl ConeSolvers {
         &'a mut self,
         assembly: &'a Assembly,
         constants: &'a [f64],
-        contacts: usize,
+        known: &'a KnownOfGroup,
         h: f64,
     ) -> StepProblem<'a> {
+        let KnownOfGroup { contacts, ref carried, noise_floor } = *known;
         let (rows, group) = (&assembly.problem, assembly.bodies().first().copied());
-        let rows = StepRows { rows, joints: assembly.joint_rows(), constants, contacts, group };
+        let rows = StepRows { rows, joints: assembly.joint_rows(), constants, contacts, group, carried, noise_floor };
         let Self { memory, last } = self;
         memory.problem(&rows, || last.start(assembly, contacts, h))
     }
 }
 
-/// Whether a problem of so many contacts is solved in the velocities of bodies.
-pub(super) fn is_for_bodies(assembly: &Assembly, contacts: usize) -> bool {
-    is_in_bodies(&assembly.problem, contacts)
+/// What is known of the rows of a group before they are solved.
+#[derive(Debug)]
+pub(super) struct KnownOfGroup {
+    /// How many contacts.
+    pub(super) contacts: usize,
+    /// Those that bore an impulse in the last step.
+    pub(super) carried: WarmStart,
+    /// The error of rates by rounding, m/s.
+    pub(super) noise_floor: f64,
 }
 
 #[cfg(test)]
@@ -75,6 +82,7 @@ mod tests {
     use polhode_contact::Shape;
     use polhode_dynamics::BodyState;
     use polhode_mesh::solid_box;
+    use polhode_response::solve::way::is_in_bodies;
     use polhode_response::{Blocks, SolverStatus};
     use polhode_spatial::{DVec3, Mass, Pose, UnitVector, Velocity};
 
@@ -115,15 +123,17 @@ mod tests {
             constants.extend(terms.basis.map(|tangent| tangent.dot(terms.slip_velocity)));
             push_contact(&mut blocks, ellipse, normal, first..assembly.problem.len());
         }
-        assert!(is_for_bodies(&assembly, touches.len()), "{} contacts", touches.len());
+        assert!(is_in_bodies(&assembly.problem, touches.len()), "{} contacts", touches.len());
+        let known = KnownOfGroup { contacts: touches.len(), carried: WarmStart::default(), noise_floor: 0.0 };
         let mut solvers = ConeSolvers::default();
-        let mut problem = solvers.problem(&assembly, &constants, touches.len(), 1.0 / 60.0);
+        let mut problem = solvers.problem(&assembly, &constants, &known, 1.0 / 60.0);
         assert!(problem.is_started_from());
         let in_bodies = problem.solve(&blocks, |_| false).unwrap();
         assert!(problem.factorisations() > 0 && in_bodies.report.residual < 1e-11, "{:?}", in_bodies.report);
         // A group of nobody is solved with the matrix of all rows.
         let (rows, joints) = (&assembly.problem, assembly.joint_rows());
-        let few = StepRows { rows, joints, constants: &constants, contacts: touches.len(), group: None };
+        let (constants, carried) = (&constants, &known.carried);
+        let few = StepRows { rows, joints, constants, contacts: touches.len(), group: None, carried, noise_floor: 0.0 };
         let mut memory = StepMemory::default();
         let mut problem = memory.problem(&few, || None);
         assert!(!problem.is_started_from());

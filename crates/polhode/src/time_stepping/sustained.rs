@@ -30,7 +30,7 @@
 //! only some of them (`rows/many_contacts.rs`). Contacts that close because of the impulses are added until there are
 //! none.
 
-use super::cone_problem::is_for_bodies;
+use super::cone_problem::KnownOfGroup;
 use super::contacts::{NearContact, with_rate_at_point};
 use super::middle::{Middle, Problem, Stops};
 use super::row::Row;
@@ -38,7 +38,7 @@ use super::shared_work::{ContactWork, Kicked};
 use super::solved_group::{Found, SolvedGroup};
 use super::step::TimeStepper;
 use super::step_rows::rows;
-use super::sustained_friction::{self, Rubbing, TangentialRow};
+use super::sustained_friction::{self, TangentialRow};
 use crate::accounting::time_step_report::{ContactImpulse, Stop, TimeStepReport};
 use crate::constraint::row::BilateralRow;
 use crate::joints::bilateral::Bilateral;
@@ -50,10 +50,10 @@ use crate::rows::groups::{Group, coupled_groups};
 use crate::rows::many_contacts::furthest_out;
 use crate::solve::closed_loops::ClosedLoops;
 use crate::solve::joint_loads::ContactForce;
-use crate::solve::reactions::{Reactions, TangentReaction};
+use crate::solve::reactions::TangentReaction;
 use polhode_dynamics::BodyState;
 use polhode_response::solve::way;
-use polhode_response::{Ask, ResponseError, RowProblem, SolverStatus, WarmStart, solve};
+use polhode_response::{ResponseError, WarmStart};
 use polhode_spatial::DVec3;
 
 /// Whether bilateral constraints hold bodies of an island.
@@ -215,20 +215,7 @@ impl TimeStepper {
         }
         let of_contacts = members.iter().map(|row| row.kinematics.separation_rate + row.bound);
         let constants = assembly.step_constants(of_contacts, kick_of_row);
-        if members.iter().any(|row| row.friction.is_some()) || is_for_bodies(&assembly, members.len()) {
-            let friction: Vec<_> = members.iter().map(|row| row.friction).collect();
-            let cones = match of_step {
-                Problem::Closing => &mut self.cones_at_start,
-                Problem::Sustained => &mut self.cones,
-            };
-            let found = sustained_friction::solve(assembly, states, constants, &friction, (cones, h, stops))?;
-            report.factorisations += found.factorisations as u64;
-            let sustained_friction::FrictionalImpulses { mut reactions, rubbing, .. } = found;
-            let found = Found { residual: found.report.residual, violation: found.violation, stops: found.stops };
-            let joints = std::mem::take(&mut reactions.bilaterals);
-            reactions.bilaterals = kicked.loops.least(model, (states, &group.bodies), joints)?;
-            return Ok(SolvedGroup { group, reactions, rubbing, found, share: 1.0 });
-        }
+        let friction: Vec<_> = members.iter().map(|row| row.friction).collect();
         let carried = (0..members.len()).filter(|&i| self.carried.contains(near[members[i].contact].id)).collect();
         // Rates of joints are differences of velocities, whatever the impulses are that follow from them.
         let noise_floor = if assembly.bilaterals().is_empty() {
@@ -236,35 +223,19 @@ impl TimeStepper {
         } else {
             tolerances::velocity_rounding(model, states, &group.bodies)
         };
-        let start = WarmStart::new(carried);
-        let (joints, start) = (assembly.joint_rows(), Some(&start));
-        let problem = RowProblem { joints, start, noise_floor, ..RowProblem::new(&assembly.problem, &constants) };
-        let solution = solve(&problem, Ask::Step, &mut self.memory)?;
-        let solved = solution.report.status == SolverStatus::Solved;
-        let residual = solution.report.residual;
-        let found = Found { residual, violation: None, stops: Vec::new() };
-        let mut impulses = solution.reactions;
-        if !solved {
-            let share = share_without_gain(&assembly, &members, &impulses)?;
-            for impulse in &mut impulses {
-                *impulse *= share;
-            }
-        }
-        let mut reactions = Reactions::of(&assembly, members.len(), &impulses);
+        let known = KnownOfGroup { contacts: members.len(), carried: WarmStart::new(carried), noise_floor };
+        let cones = match of_step {
+            Problem::Closing => &mut self.cones_at_start,
+            Problem::Sustained => &mut self.cones,
+        };
+        let found = sustained_friction::solve(assembly, states, constants, &friction, &known, (cones, h, stops))?;
+        report.factorisations += found.factorisations as u64;
+        let sustained_friction::FrictionalImpulses { mut reactions, rubbing, .. } = found;
+        let found = Found { residual: found.report.residual, violation: found.violation, stops: found.stops };
         let joints = std::mem::take(&mut reactions.bilaterals);
         reactions.bilaterals = kicked.loops.least(model, (states, &group.bodies), joints)?;
-        Ok(SolvedGroup { group, reactions, rubbing: Rubbing::default(), found, share: 1.0 })
+        Ok(SolvedGroup { group, reactions, rubbing, found, share: 1.0 })
     }
-}
-
-/// The part of the impulses of an inexact solution that adds no energy: scaled by s with `p.u + s p.G p/2 <= 0` they do
-/// not, where u is the mean of the rates before and after the kick.
-fn share_without_gain(assembly: &Assembly, members: &[&Row], impulses: &[f64]) -> Result<f64, ResponseError> {
-    let product = |a: &[f64]| impulses.iter().zip(a).map(|(p, a)| p * a).sum::<f64>();
-    let mean = |row: &&Row| 0.5 * (row.rate_before + row.kinematics.separation_rate);
-    let work = product(&assembly.rates(members.iter().map(mean)));
-    let stored = 0.5 * product(&assembly.problem.row_velocities(&assembly.problem.response(impulses)?)?);
-    Ok(if stored > 0.0 { (-work / stored).clamp(0.0, 1.0) } else { 1.0 })
 }
 
 /// Rows of the same two bodies, which stand beside each other.

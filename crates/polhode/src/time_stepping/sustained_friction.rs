@@ -21,7 +21,7 @@
 //! Friction of rolling and of spinning holds the relative rotation of the bodies after the impulses at zero, or
 //! resists it by a moment of its largest size (`crate::solve::rotational_friction`).
 
-use super::cone_problem::{ConeSolvers, is_off};
+use super::cone_problem::{ConeSolvers, KnownOfGroup, is_off};
 use super::contacts::kinematics_at_point;
 use super::middle::Stops;
 use super::shared_work::Kicked;
@@ -389,6 +389,7 @@ pub(super) fn solve(
     states: &[BodyState],
     mut constants: Vec<f64>,
     friction: &[Option<TangentialRow>],
+    known: &KnownOfGroup,
     (solvers, h, stops_are): (&mut ConeSolvers, f64, Stops<'_>),
 ) -> Result<FrictionalImpulses, ResponseError> {
     let first_tangent = assembly.first_tangent();
@@ -404,12 +405,13 @@ pub(super) fn solve(
     constants.extend(friction.iter().flatten().flat_map(TangentialRow::rotation_constants));
     let rows = FrictionRows { tangents: rows, rotations, first_tangent };
     let mut factorisations = 0;
-    let settled = settle(&mut assembly, constants.clone(), friction, &rows, (&mut *solvers, h))?;
+    let settled = settle(&mut assembly, constants.clone(), (friction, known), &rows, (&mut *solvers, h))?;
     factorisations += settled.factorisations;
     let mut stops = Vec::new();
     let turned = turned(friction, &rows.tangents, &settled.solved, stops_are);
     if !turned.is_empty() {
-        let (found, more) = stops_of(&turned, &mut assembly, (&constants, &settled), (friction, &rows), (solvers, h))?;
+        let (found, more) =
+            stops_of(&turned, &mut assembly, (&constants, &settled), (friction, known, &rows), (solvers, h))?;
         factorisations += more;
         stops = found;
     }
@@ -442,7 +444,7 @@ struct Settled {
 fn settle(
     assembly: &mut Assembly,
     mut constants: Vec<f64>,
-    first: &[Option<TangentialRow>],
+    (first, known): (&[Option<TangentialRow>], &KnownOfGroup),
     rows: &FrictionRows,
     (solvers, h): (&mut ConeSolvers, f64),
 ) -> Result<Settled, ResponseError> {
@@ -450,7 +452,7 @@ fn settle(
     let (mut rounds, mut factorisations) = (0, 0);
     loop {
         let mut friction: Vec<Option<TangentialRow>> = first.to_vec();
-        let mut problem = solvers.problem(assembly, &constants, friction.len(), h);
+        let mut problem = solvers.problem(assembly, &constants, known, h);
         let solved = loop {
             let mut blocks = with_rotations(blocks(&friction, tangents), rotations);
             blocks.hold(friction.len()..*first_tangent);
@@ -511,7 +513,7 @@ fn stops_of(
     turned: &[usize],
     assembly: &mut Assembly,
     (constants, settled): (&[f64], &Settled),
-    (friction, rows): (&[Option<TangentialRow>], &FrictionRows),
+    (friction, known, rows): (&[Option<TangentialRow>], &KnownOfGroup, &FrictionRows),
     (solvers, h): (&mut ConeSolvers, f64),
 ) -> Result<(Vec<Stop>, usize), ResponseError> {
     let changes = settled.solved.velocities.iter().zip(constants).map(|(after, before)| after.abs() + before.abs());
@@ -520,7 +522,7 @@ fn stops_of(
     let mut of_on = with_tangents(constants, &on, rows);
     // Bearings bear what the first solution has found.
     assembly.press(&mut of_on, h);
-    let found = settle(assembly, of_on, &on, rows, (solvers, h))?;
+    let found = settle(assembly, of_on, (&on, known), rows, (solvers, h))?;
     let stop = |&place: &usize| {
         let (row, rows) = (friction.get(place)?.as_ref()?, rows.tangents.get(place)?);
         let (pushed, along) = (of_both(&found.solved.velocities, rows), row.offset_along_slip(offset));

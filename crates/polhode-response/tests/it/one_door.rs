@@ -1,0 +1,203 @@
+//! The one entry for rows: the same bodies asked for different things, each against its closed form; and what is no
+//! problem is refused, or said to be unsolved, never answered.
+
+use polhode_response::friction::ContactStatus;
+use polhode_response::solve::impact::{BlockImpact, Blow, RowImpact, strike_blocks, strike_rows};
+use polhode_response::solve::removal::{Limits, remove};
+use polhode_response::{
+    Answer, Ask, Blocks, ContactProblem, ImpactLaw, ImpactSettings, Law, Memory, MultipleImpactLaw,
+    MultipleImpactStatus, Resistance, ResistedPart, ResponseError, RestitutionLaw, RowProblem, SolverStatus, solve,
+};
+
+/// Gravity, m/s^2.
+const G: f64 = 9.81;
+
+/// A box of this mass (kg) and inertia (kg m^2) in a plane on two feet at `x = -1, 1`, its centre of mass `high` (m)
+/// above them: rows along the normals, then along the floor.
+fn on_two_feet(mass: f64, inertia: f64, high: f64) -> ContactProblem {
+    let inverse = vec![1.0 / mass, 0.0, 0.0, 0.0, 1.0 / mass, 0.0, 0.0, 0.0, 1.0 / inertia];
+    let mut problem = ContactProblem::new(3, inverse).unwrap();
+    for x in [-1.0, 1.0] {
+        problem.push_row(&[(0, &[0.0, 1.0, x])]).unwrap();
+    }
+    for _ in 0..2 {
+        problem.push_held_row(&[(0, &[1.0, 0.0, high])]).unwrap();
+    }
+    problem
+}
+
+/// Blocks of both feet with this friction: cones, or sliding along the floor.
+fn feet(law: impl Fn() -> Law) -> Blocks {
+    let mut blocks = Blocks::default();
+    for foot in 0..2 {
+        blocks.push(law(), [foot, 2 + foot]);
+    }
+    blocks
+}
+
+/// Accelerations of the box's rows and its own where gravity is tilted by `slope` (tangent).
+fn tilted(problem: &ContactProblem, slope: f64) -> (Vec<f64>, Vec<f64>) {
+    let free = vec![slope * G, -G, 0.0];
+    (problem.row_velocities(&free).unwrap(), free)
+}
+
+fn ask(problem: &ContactProblem, blocks: &Blocks, constants: &[f64], ask: Ask<'_>) -> Result<Answer, ResponseError> {
+    solve(&RowProblem { blocks: Some(blocks), ..RowProblem::new(problem, constants) }, ask, &mut Memory::default())
+}
+
+/// On a slope below its friction the box stays: at rest, at an instant and as a certificate, with forces in the cones
+/// that carry its weight. On a steeper one it slides with `slope - mu` of gravity, and there is no certificate.
+#[test]
+fn a_box_on_a_slope_stays_or_slides_whatever_is_asked() {
+    let problem = on_two_feet(2.0, 1.0, 0.5);
+    let friction = 0.5;
+    let blocks = feet(|| Law::Cone { rows: 2, friction });
+    for slope in [0.0, 0.2, 0.49, 0.6, 1.0] {
+        let (constants, free) = tilted(&problem, slope);
+        let is_held = slope <= friction;
+        let sum = |own: &[f64]| own.iter().sum::<f64>();
+        let asked = [Ask::Instant, Ask::Rest { free: &free }, Ask::Present, Ask::Step];
+        for of in asked {
+            let found = ask(&problem, &blocks, &constants, of).unwrap();
+            assert_eq!(found.report.status, SolverStatus::Solved, "{of:?}");
+            let acceleration = if is_held { 0.0 } else { (slope - friction) * G };
+            assert!(found.velocities[2..].iter().all(|w| (w - acceleration).abs() < 1e-9), "{slope} {of:?}: {found:?}");
+            assert!((sum(&found.reactions[..2]) - 2.0 * G).abs() < 1e-9);
+            let along = 2.0 * G * slope.min(friction);
+            assert!((sum(&found.reactions[2..]) + along).abs() < 1e-9);
+            let status = if is_held { ContactStatus::Stick } else { ContactStatus::Slide };
+            assert!(found.statuses.iter().all(|own| *own == status), "{slope} {of:?}: {:?}", found.statuses);
+        }
+        let certificate = ask(&problem, &blocks, &constants, Ask::Balance { free: &free }).unwrap();
+        assert_eq!(certificate.report.status == SolverStatus::Solved, is_held, "{slope}: {certificate:?}");
+    }
+}
+
+/// At a stage the modes are given: both feet slide, and with the friction that their normal forces bring they hold the
+/// box upright: `f_1 + f_2 = m g` and no moment. Twice the height asks for twice the difference.
+#[test]
+fn feet_that_slide_bear_what_their_friction_turns() {
+    for high in [0.0, 0.5, 1.0] {
+        let problem = on_two_feet(2.0, 1.0, high);
+        let friction = 0.3;
+        let blocks = feet(|| Law::Slide { friction });
+        let (constants, _) = tilted(&problem, 0.0);
+        let found = ask(&problem, &blocks, &constants[..2], Ask::Stage).unwrap();
+        let [left, right, a, b] = found.reactions[..] else { panic!("{found:?}") };
+        assert!((left + right - 2.0 * G).abs() < 1e-12);
+        assert!((right - left - friction * 2.0 * G * high).abs() < 1e-12, "{high}: {left} {right}");
+        assert!((a + friction * left).abs() < 1e-12 && (b + friction * right).abs() < 1e-12);
+        assert!(!found.beyond_cones && found.on_bodies.is_none());
+    }
+}
+
+/// A ball that rolls already is slowed by its friction of rolling: the row along which it turns comes last, and bears
+/// that part of the normal force.
+#[test]
+fn a_rotation_that_turns_bears_its_part_of_the_normal_force() {
+    let (mass, friction) = (2.0, 0.02);
+    let mut problem = ContactProblem::new(2, vec![1.0 / mass, 0.0, 0.0, 1.0]).unwrap();
+    problem.push_row(&[(0, &[1.0, 0.0])]).unwrap();
+    problem.push_held_row(&[(0, &[0.0, 1.0])]).unwrap();
+    let mut blocks = Blocks::default();
+    blocks.push(Law::Cone { rows: 1, friction: 0.0 }, [0]);
+    blocks.resist(ResistedPart::Rolling, Resistance { rows: 1, friction, slides: true }, [1]);
+    let found = ask(&problem, &blocks, &[-G], Ask::Stage).unwrap();
+    assert!((found.reactions[0] - mass * G).abs() < 1e-12);
+    assert!((found.reactions[1] + friction * mass * G).abs() < 1e-12);
+}
+
+/// Flat on both feet at 1 m/s with restitution 0.5, and along the floor at 0.1 m/s: friction stops the slip, and the
+/// box leaves at half its speed. Without friction it keeps its slip.
+#[test]
+fn a_box_that_falls_flat_leaves_at_its_restitution() {
+    let problem = on_two_feet(2.0, 1.0, 0.0);
+    let before = [-1.0, -1.0, 0.1, 0.1];
+    let blocks = feet(|| Law::Cone { rows: 2, friction: 0.5 });
+    let impact = BlockImpact {
+        rows: &problem,
+        blocks: &blocks,
+        before: &before,
+        noise_floor: 0.0,
+        restitution: &[0.5, 0.5],
+        stand_for_several: &[],
+        law: MultipleImpactLaw::default(),
+        single: RestitutionLaw::default(),
+        threshold: None,
+    };
+    let struck = strike_blocks(&impact, Blow::Collision).unwrap();
+    assert_eq!(struck.outcome.status, MultipleImpactStatus::Separated);
+    let after: Vec<f64> = before.iter().zip(&struck.changes).map(|(before, change)| before + change).collect();
+    for (found, expected) in after.iter().zip([0.5, 0.5, 0.0, 0.0]) {
+        assert!((found - expected).abs() < 1e-9, "{after:?}");
+    }
+    let mut smooth = ContactProblem::new(3, vec![0.5, 0.0, 0.0, 0.0, 0.5, 0.0, 0.0, 0.0, 1.0]).unwrap();
+    for x in [-1.0, 1.0] {
+        smooth.push_row(&[(0, &[0.0, 1.0, x])]).unwrap();
+    }
+    let settings = ImpactSettings::default();
+    let impact = RowImpact {
+        rows: &smooth,
+        before: &before[..2],
+        restitution: &[0.5, 0.5],
+        law: ImpactLaw::Reflection,
+        order: None,
+        settings: &settings,
+    };
+    let outcome = strike_rows(&impact, &mut Memory::default()).unwrap();
+    assert!(outcome.velocities_after.iter().all(|u| (u - 0.5).abs() < 1e-12), "{outcome:?}");
+}
+
+/// Gaps of rows that hold are taken out by the least reactions; where that would move a body by more than is allowed,
+/// only a part is, and the rest is told.
+#[test]
+fn gaps_are_removed_as_far_as_is_allowed() {
+    let mut problem = ContactProblem::new(1, vec![0.5]).unwrap();
+    for _ in 0..2 {
+        problem.push_held_row(&[(0, &[1.0])]).unwrap();
+    }
+    let change_of = |response: &[f64]| response[0].abs();
+    let with = |allowed: f64| {
+        let limits = Limits { allowed, negligible: 0.0, opened: 0.0 };
+        remove((&problem, 0..2), &[1e-3, 1e-3], limits, change_of).unwrap()
+    };
+    let whole = with(1.0);
+    assert!(!whole.is_partial && (whole.reactions[0] + 1e-3).abs() < 1e-12, "{whole:?}");
+    assert!((whole.reactions[0] - whole.reactions[1]).abs() < 1e-15, "the least reactions are shared");
+    let part = with(1e-4);
+    assert!(part.is_partial && change_of(&problem.response(&part.reactions).unwrap()) <= 1e-4 * (1.0 + 1e-12));
+}
+
+/// What is no problem: numbers that are none, lists of another length, blocks of rows that do not exist, rows that
+/// contradict each other. Errors name what is wrong; a contradiction is no error, and is not solved.
+#[test]
+fn what_is_no_problem_is_refused_or_said_to_be_unsolved() {
+    let problem = on_two_feet(2.0, 1.0, 0.5);
+    let blocks = feet(|| Law::Cone { rows: 2, friction: 0.5 });
+    let free = [0.0; 3];
+    let asked = [Ask::Instant, Ask::Present, Ask::Rest { free: &free }, Ask::Balance { free: &free }, Ask::Step];
+    let asked = asked.into_iter().chain([Ask::Stage, Ask::Displacement { accuracy: 1e-9 }]);
+    for of in asked {
+        let nan = ask(&problem, &blocks, &[f64::NAN, 0.0, 0.0, 0.0], of);
+        assert!(matches!(nan, Err(ResponseError::NotFinite { .. })), "{of:?}: {nan:?}");
+        let short = ask(&problem, &blocks, &[0.0; 2], of);
+        assert!(matches!(short, Err(ResponseError::Length { .. })), "{of:?}: {short:?}");
+        let mut unknown = Blocks::default();
+        unknown.push(Law::Push, [7]);
+        let unknown = ask(&problem, &unknown, &[0.0; 4], of);
+        assert!(matches!(unknown, Err(ResponseError::UnknownRow { row: 7, rows: 4 })), "{of:?}: {unknown:?}");
+        let negative = feet(|| Law::Cone { rows: 2, friction: -0.5 });
+        let negative = ask(&problem, &negative, &[0.0; 4], of);
+        assert!(matches!(negative, Err(ResponseError::Friction { .. })), "{of:?}: {negative:?}");
+        let none = ContactProblem::new(3, problem.row_velocities(&[0.0; 3]).map(|_| Vec::new()).unwrap()).unwrap();
+        let empty = ask(&none, &Blocks::default(), &[], of).unwrap();
+        assert!(empty.reactions.is_empty(), "{of:?}: {empty:?}");
+    }
+    // Two rows of one body that ask for different velocities: no reactions keep both.
+    let mut torn = ContactProblem::new(1, vec![1.0]).unwrap();
+    for _ in 0..2 {
+        torn.push_held_row(&[(0, &[1.0])]).unwrap();
+    }
+    let found = solve(&RowProblem::new(&torn, &[1.0, -1.0]), Ask::Instant, &mut Memory::default()).unwrap();
+    assert_ne!(found.report.status, SolverStatus::Solved, "{found:?}");
+}
