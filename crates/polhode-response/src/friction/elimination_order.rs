@@ -153,10 +153,22 @@ pub(crate) fn minimum_degree(mut beside: Vec<Vec<usize>>, weights: &[usize]) -> 
     let mut waiting: BTreeSet<(usize, usize)> = degrees.iter().enumerate().map(|(node, &d)| (d, node)).collect();
     let mut sequence = Vec::with_capacity(beside.len());
     let mut cliques = Vec::with_capacity(beside.len());
-    let mut merged = Vec::new();
+    let (mut merged, mut known) = (Vec::new(), Vec::new());
     while let Some((_, node)) = waiting.pop_first() {
         sequence.push(node);
         let clique = std::mem::take(&mut beside[node]);
+        if clique.iter().all(|other| known.binary_search(other).is_ok()) {
+            // Those beside it are neighbours of each other already, as of nodes with the same neighbours.
+            for &other in &clique {
+                beside[other].retain(|&third| third != node);
+                waiting.remove(&(degrees[other], other));
+                degrees[other] -= weights[node];
+                waiting.insert((degrees[other], other));
+            }
+            known.clone_from(&clique);
+            cliques.push(clique);
+            continue;
+        }
         for &other in &clique {
             merge(&beside[other], &clique, &mut merged);
             merged.retain(|&third| third != other && third != node);
@@ -165,6 +177,7 @@ pub(crate) fn minimum_degree(mut beside: Vec<Vec<usize>>, weights: &[usize]) -> 
             degrees[other] = degree(&beside[other]);
             waiting.insert((degrees[other], other));
         }
+        known.clone_from(&clique);
         cliques.push(clique);
     }
     (sequence, cliques)
@@ -197,6 +210,14 @@ mod tests {
         let matrix = BlockMatrix::from_blocks(&[1; 6], links.chain(diagonal).collect()).unwrap();
         let order = EliminationOrder::of(&matrix);
         assert_eq!(order.nodes, [[0], [1], [2], [3], [4], [5]]);
+    }
+
+    #[test]
+    fn what_is_coupled_with_all_is_eliminated_by_weight() {
+        let beside = |node: usize| (0..4).filter(|&other| other != node).collect();
+        let (sequence, cliques) = minimum_degree((0..4).map(beside).collect(), &[1, 3, 1, 2]);
+        assert_eq!(sequence, [1, 3, 0, 2]);
+        assert_eq!(cliques, [vec![0, 2, 3], vec![0, 2], vec![2], vec![]]);
     }
 
     #[test]

@@ -1,4 +1,5 @@
-//! Blocks of 6 x 6 numbers, row-major: the arithmetic of the sparse elimination.
+//! Square blocks of numbers, one line after the other: the arithmetic of the sparse elimination. They are of 6 x 6, or
+//! of 3 x 3 where no row turns a body.
 //!
 //! Loops are of known length, so that they are unrolled and run in lanes; every sum has one order, whatever the
 //! lanes. Source: Golub and Van Loan, Matrix Computations, sections 3.4 and 4.2. Failure: a pivot that vanishes is
@@ -8,14 +9,19 @@
 /// Components of the velocity of a body in space.
 pub(crate) const WIDTH: usize = 6;
 
-/// A block.
-pub(crate) type Block6 = [f64; WIDTH * WIDTH];
+/// Those of its translation, which come first.
+pub(crate) const TRANSLATION: usize = 3;
+
+/// A block, by its lines.
+pub(crate) type Block<const W: usize> = [[f64; W]; W];
 
 /// A column of a block: a velocity, or an impulse.
 pub(crate) type Vector6 = [f64; WIDTH];
 
-/// The block of zeros.
-pub(crate) const ZERO: Block6 = [0.0; WIDTH * WIDTH];
+/// The block of ones on its diagonal.
+pub(crate) fn unit<const W: usize>() -> Block<W> {
+    std::array::from_fn(|i| std::array::from_fn(|j| f64::from(u8::from(i == j))))
+}
 
 /// What a pivot below it is replaced by (in units of the matrix, whose diagonal is 1 before contacts are added).
 const SMALLEST_BLOCK_PIVOT: f64 = 1e-200;
@@ -25,26 +31,22 @@ pub(crate) fn dot6(x: &Vector6, y: &Vector6) -> f64 {
     (x[0] * y[0] + x[3] * y[3]) + (x[1] * y[1] + x[4] * y[4]) + (x[2] * y[2] + x[5] * y[5])
 }
 
+/// The same of any width, of translations and rotations in the same order.
+fn dot<const W: usize>(x: &[f64; W], y: &[f64; W]) -> f64 {
+    let lane = |k: usize| (k..W).step_by(TRANSLATION).map(|k| x[k] * y[k]).sum::<f64>();
+    (0..TRANSLATION).map(lane).sum()
+}
+
 /// `y += a x`.
-pub(crate) fn add_scaled(a: f64, x: &Vector6, y: &mut Vector6) {
+pub(crate) fn add_scaled<const W: usize>(a: f64, x: &[f64; W], y: &mut [f64; W]) {
     for (y, x) in y.iter_mut().zip(x) {
         *y += a * x;
     }
 }
 
-/// Rows of a block.
-pub(crate) fn rows(block: &Block6) -> &[Vector6] {
-    block.as_chunks().0
-}
-
-fn rows_mut(block: &mut Block6) -> &mut [Vector6] {
-    block.as_chunks_mut().0
-}
-
 /// `C -= A B`.
-pub(crate) fn subtract_product(a: &Block6, b: &Block6, c: &mut Block6) {
-    let b = rows(b);
-    for (a, c) in rows(a).iter().zip(rows_mut(c)) {
+pub(crate) fn subtract_product<const W: usize>(a: &Block<W>, b: &Block<W>, c: &mut Block<W>) {
+    for (a, c) in a.iter().zip(c) {
         for (&a, b) in a.iter().zip(b) {
             for (c, b) in c.iter_mut().zip(b) {
                 *c -= a * b;
@@ -54,49 +56,43 @@ pub(crate) fn subtract_product(a: &Block6, b: &Block6, c: &mut Block6) {
 }
 
 /// `A^T`.
-pub(crate) fn transposed(block: &Block6) -> Block6 {
-    let mut target = ZERO;
-    for (i, line) in rows(block).iter().enumerate() {
-        for (j, value) in line.iter().enumerate() {
-            target[j * WIDTH + i] = *value;
-        }
-    }
-    target
+pub(crate) fn transposed<const W: usize>(block: &Block<W>) -> Block<W> {
+    std::array::from_fn(|i| std::array::from_fn(|j| block[j][i]))
 }
 
 /// `y -= A x`.
-pub(crate) fn subtract_times(a: &Block6, x: &Vector6, y: &mut Vector6) {
-    for (line, y) in rows(a).iter().zip(y) {
-        *y -= dot6(line, x);
+pub(crate) fn subtract_times<const W: usize>(a: &Block<W>, x: &[f64; W], y: &mut [f64; W]) {
+    for (line, y) in a.iter().zip(y) {
+        *y -= dot(line, x);
     }
 }
 
 /// `y -= A^T x`.
-pub(crate) fn subtract_transposed_times(a: &Block6, x: &Vector6, y: &mut Vector6) {
-    for (line, x) in rows(a).iter().zip(x) {
+pub(crate) fn subtract_transposed_times<const W: usize>(a: &Block<W>, x: &[f64; W], y: &mut [f64; W]) {
+    for (line, x) in a.iter().zip(x) {
         add_scaled(-x, line, y);
     }
 }
 
 /// A block with its factors `P A = L U` in one place, `L` with a diagonal of ones.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct FactoredBlock {
-    factors: Block6,
+pub(crate) struct FactoredBlock<const W: usize> {
+    factors: Block<W>,
     /// One over the diagonal of `U`.
-    inverses: Vector6,
+    inverses: [f64; W],
     /// Which row was taken in each turn.
-    pivots: [u8; WIDTH],
+    pivots: [u8; W],
 }
 
-impl FactoredBlock {
+impl<const W: usize> FactoredBlock<W> {
     /// Gauss elimination with the largest pivot of each column.
-    pub(crate) fn of(mut factors: Block6) -> Self {
-        let mut inverses = [0.0; WIDTH];
-        let mut pivots = [0; WIDTH];
-        let lines = rows_mut(&mut factors);
-        for k in 0..WIDTH {
+    pub(crate) fn of(mut factors: Block<W>) -> Self {
+        let mut inverses = [0.0; W];
+        let mut pivots = [0; W];
+        let lines = &mut factors;
+        for k in 0..W {
             let larger = |best: usize, row: usize| if lines[row][k].abs() > lines[best][k].abs() { row } else { best };
-            let pivot = (k + 1..WIDTH).fold(k, larger);
+            let pivot = (k + 1..W).fold(k, larger);
             pivots[k] = pivot as u8;
             lines.swap(k, pivot);
             if lines[k][k].abs() < SMALLEST_BLOCK_PIVOT {
@@ -107,7 +103,7 @@ impl FactoredBlock {
             for line in &mut lines[k + 1..] {
                 let factor = line[k] * inverses[k];
                 line[k] = factor;
-                for column in k + 1..WIDTH {
+                for column in k + 1..W {
                     line[column] -= factor * pivot_line[column];
                 }
             }
@@ -115,13 +111,12 @@ impl FactoredBlock {
         Self { factors, inverses, pivots }
     }
 
-    /// `L^-1 P B` in place of `B`.
-    pub(crate) fn solve_lower_block(&self, b: &mut Block6) {
-        let lines = rows_mut(b);
+    /// `L^-1 P B` in place of the lines of `B`.
+    pub(crate) fn solve_lower_block(&self, lines: &mut Block<W>) {
         for (k, &pivot) in self.pivots.iter().enumerate() {
             lines.swap(k, usize::from(pivot));
         }
-        for (row, factors) in rows(&self.factors).iter().enumerate() {
+        for (row, factors) in self.factors.iter().enumerate() {
             let (above, below) = lines.split_at_mut(row);
             for (factor, line) in factors.iter().zip(&*above) {
                 add_scaled(-factor, line, &mut below[0]);
@@ -130,13 +125,13 @@ impl FactoredBlock {
     }
 
     /// `B U^-1` in place of `B`.
-    pub(crate) fn solve_upper_from_the_right(&self, b: &mut Block6) {
-        let factors = rows(&self.factors);
-        for line in rows_mut(b) {
-            for k in 0..WIDTH {
+    pub(crate) fn solve_upper_from_the_right(&self, b: &mut Block<W>) {
+        let factors = self.factors;
+        for line in b {
+            for k in 0..W {
                 let value = line[k] * self.inverses[k];
                 line[k] = value;
-                for column in k + 1..WIDTH {
+                for column in k + 1..W {
                     line[column] -= value * factors[k][column];
                 }
             }
@@ -144,11 +139,11 @@ impl FactoredBlock {
     }
 
     /// `L^-1 P x` in place of `x`.
-    pub(crate) fn solve_lower(&self, x: &mut Vector6) {
+    pub(crate) fn solve_lower(&self, x: &mut [f64; W]) {
         for (k, &pivot) in self.pivots.iter().enumerate() {
             x.swap(k, usize::from(pivot));
         }
-        for (row, factors) in rows(&self.factors).iter().enumerate() {
+        for (row, factors) in self.factors.iter().enumerate() {
             let mut value = x[row];
             for (factor, x) in factors[..row].iter().zip(&x[..row]) {
                 value -= factor * x;
@@ -158,8 +153,8 @@ impl FactoredBlock {
     }
 
     /// `U^-1 x` in place of `x`.
-    pub(crate) fn solve_upper(&self, x: &mut Vector6) {
-        for (row, factors) in rows(&self.factors).iter().enumerate().rev() {
+    pub(crate) fn solve_upper(&self, x: &mut [f64; W]) {
+        for (row, factors) in self.factors.iter().enumerate().rev() {
             let mut value = x[row];
             for (factor, x) in factors[row + 1..].iter().zip(&x[row + 1..]) {
                 value -= factor * x;
@@ -171,28 +166,28 @@ impl FactoredBlock {
 
 /// The factor `C` of a symmetric positive definite block `C C^T`.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct CholeskyBlock {
-    factor: Block6,
+pub(crate) struct CholeskyBlock<const W: usize> {
+    factor: Block<W>,
     /// One over the diagonal.
-    inverses: Vector6,
+    inverses: [f64; W],
 }
 
-impl CholeskyBlock {
+impl<const W: usize> CholeskyBlock<W> {
     /// Factorises; none when the block is not positive definite.
-    pub(crate) fn of(block: &Block6) -> Option<Self> {
-        let mut factor = ZERO;
-        let mut inverses = [0.0; WIDTH];
-        for row in 0..WIDTH {
+    pub(crate) fn of(block: &Block<W>) -> Option<Self> {
+        let mut factor = [[0.0; W]; W];
+        let mut inverses = [0.0; W];
+        for row in 0..W {
             for column in 0..=row {
-                let mut value = block[row * WIDTH + column];
+                let mut value = block[row][column];
                 for k in 0..column {
-                    value -= factor[row * WIDTH + k] * factor[column * WIDTH + k];
+                    value -= factor[row][k] * factor[column][k];
                 }
                 if column < row {
-                    factor[row * WIDTH + column] = value * inverses[column];
+                    factor[row][column] = value * inverses[column];
                 } else if value > 0.0 && value.is_finite() {
-                    factor[row * WIDTH + row] = value.sqrt();
-                    inverses[row] = 1.0 / factor[row * WIDTH + row];
+                    factor[row][row] = value.sqrt();
+                    inverses[row] = 1.0 / factor[row][row];
                 } else {
                     return None;
                 }
@@ -202,8 +197,8 @@ impl CholeskyBlock {
     }
 
     /// `C^-1 x` in place of `x`.
-    pub(crate) fn solve_lower(&self, x: &mut Vector6) {
-        for (row, factors) in rows(&self.factor).iter().enumerate() {
+    pub(crate) fn solve_lower(&self, x: &mut [f64; W]) {
+        for (row, factors) in self.factor.iter().enumerate() {
             let mut value = x[row];
             for (factor, x) in factors[..row].iter().zip(&x[..row]) {
                 value -= factor * x;
@@ -213,33 +208,33 @@ impl CholeskyBlock {
     }
 
     /// `C^-T x` in place of `x`.
-    pub(crate) fn solve_upper(&self, x: &mut Vector6) {
-        for row in (0..WIDTH).rev() {
+    pub(crate) fn solve_upper(&self, x: &mut [f64; W]) {
+        for row in (0..W).rev() {
             x[row] *= self.inverses[row];
             let value = x[row];
             for column in 0..row {
-                x[column] -= self.factor[row * WIDTH + column] * value;
+                x[column] -= self.factor[row][column] * value;
             }
         }
     }
 
     /// `C^T x` in place of `x`.
-    pub(crate) fn times_transposed(&self, x: &mut Vector6) {
-        for row in 0..WIDTH {
-            x[row] = (row..WIDTH).map(|k| self.factor[k * WIDTH + row] * x[k]).sum();
+    pub(crate) fn times_transposed(&self, x: &mut [f64; W]) {
+        for row in 0..W {
+            x[row] = (row..W).map(|k| self.factor[k][row] * x[k]).sum();
         }
     }
 
     /// `C x` in place of `x`.
-    pub(crate) fn times(&self, x: &mut Vector6) {
-        for row in (0..WIDTH).rev() {
-            x[row] = (0..=row).map(|k| self.factor[row * WIDTH + k] * x[k]).sum();
+    pub(crate) fn times(&self, x: &mut [f64; W]) {
+        for row in (0..W).rev() {
+            x[row] = (0..=row).map(|k| self.factor[row][k] * x[k]).sum();
         }
     }
 
     /// `B C^-T` in place of `B`.
-    pub(crate) fn solve_from_the_right(&self, b: &mut Block6) {
-        for line in rows_mut(b) {
+    pub(crate) fn solve_from_the_right(&self, b: &mut Block<W>) {
+        for line in b {
             self.solve_lower(line);
         }
     }
@@ -255,7 +250,7 @@ mod tests {
         1.0 / (1.0 + i as f64 + j as f64) + f64::from(u8::from(i == j))
     }
 
-    fn times(block: &Block6, x: &Vector6) -> Vector6 {
+    fn times(block: &Block<WIDTH>, x: &Vector6) -> Vector6 {
         let mut y = [0.0; WIDTH];
         subtract_times(block, x, &mut y);
         y.map(|y| -y)
@@ -263,8 +258,9 @@ mod tests {
 
     #[test]
     fn both_factors_solve_what_the_block_multiplies() {
-        let symmetric: Block6 = std::array::from_fn(|k| entry(k / WIDTH, k % WIDTH));
-        let general: Block6 = std::array::from_fn(|k| entry(k / WIDTH, k % WIDTH) * (1.0 + (k % 5) as f64));
+        let symmetric: Block<WIDTH> = std::array::from_fn(|i| std::array::from_fn(|j| entry(i, j)));
+        let other = |i: usize, j: usize| entry(i, j) * (1.0 + ((WIDTH * i + j) % 5) as f64);
+        let general: Block<WIDTH> = std::array::from_fn(|i| std::array::from_fn(|j| other(i, j)));
         let x = [1.0, -2.0, 3.0, -4.0, 5.0, -6.0];
         let mut y = times(&symmetric, &x);
         let factor = CholeskyBlock::of(&symmetric).unwrap();
@@ -285,10 +281,10 @@ mod tests {
 
     #[test]
     fn what_is_not_positive_definite_is_refused() {
-        let mut block: Block6 = std::array::from_fn(|k| entry(k / WIDTH, k % WIDTH));
-        block[35] = -1.0;
+        let mut block: Block<WIDTH> = std::array::from_fn(|i| std::array::from_fn(|j| entry(i, j)));
+        block[5][5] = -1.0;
         assert!(CholeskyBlock::of(&block).is_none());
-        block[35] = f64::NAN;
+        block[5][5] = f64::NAN;
         assert!(CholeskyBlock::of(&block).is_none());
     }
 }

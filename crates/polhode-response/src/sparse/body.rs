@@ -1,9 +1,12 @@
 //! What a body of a sparse problem is to the solver: how it resists being set in motion.
 
-use crate::sparse::block6::{Block6, CholeskyBlock, Vector6, WIDTH, ZERO};
+use crate::sparse::block6::{CholeskyBlock, Vector6, WIDTH};
 
 /// Largest relative asymmetry of a mass block that counts as rounding (no unit).
 const MASS_ROUNDING: f64 = 1e-12;
+
+/// The numbers of a mass block, row-major.
+pub(crate) type MassBlock = [f64; WIDTH * WIDTH];
 
 /// The mass of a body; its velocity is `(v, w)` of the centre of mass, in axes of the world.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -14,9 +17,9 @@ enum Inertness {
     /// It moves as it is told.
     Fixed,
     /// `M`.
-    Mass(Block6),
+    Mass(MassBlock),
     /// `M^-1`.
-    Inverse(Block6),
+    Inverse(MassBlock),
 }
 
 impl BodyMass {
@@ -25,7 +28,7 @@ impl BodyMass {
 
     /// A rigid body of this mass (kg) and inertia about the centre of mass in axes of the world, row-major (kg m^2).
     pub fn rigid(mass: f64, inertia: &[f64; 9]) -> Self {
-        let mut block = ZERO;
+        let mut block = [0.0; WIDTH * WIDTH];
         for i in 0..3 {
             block[i * WIDTH + i] = mass;
             for j in 0..3 {
@@ -56,7 +59,7 @@ impl BodyMass {
 
     /// Its factor; none of a body that moves as it is told.
     pub(crate) fn factor(&self) -> Option<Result<MassFactor, NotAMass>> {
-        let of = |block: &Block6| factor_of_mass(block).ok_or(NotAMass);
+        let of = |block: &MassBlock| factor_of_mass(block).ok_or(NotAMass);
         match &self.0 {
             Inertness::Fixed => None,
             Inertness::Mass(block) => Some(of(block).map(MassFactor::OfMass)),
@@ -73,9 +76,9 @@ pub(crate) struct NotAMass;
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum MassFactor {
     /// `L` of `M = L L^T`; `S = L^-T`.
-    OfMass(CholeskyBlock),
+    OfMass(CholeskyBlock<WIDTH>),
     /// `S` itself.
-    OfInverse(CholeskyBlock),
+    OfInverse(CholeskyBlock<WIDTH>),
 }
 
 impl MassFactor {
@@ -105,7 +108,7 @@ impl MassFactor {
 }
 
 /// The factor of a mass block; none when it is not symmetric and positive definite.
-fn factor_of_mass(block: &Block6) -> Option<CholeskyBlock> {
+fn factor_of_mass(block: &MassBlock) -> Option<CholeskyBlock<WIDTH>> {
     for i in 0..WIDTH {
         for j in 0..i {
             let (entry, mirror) = (block[i * WIDTH + j], block[j * WIDTH + i]);
@@ -117,5 +120,5 @@ fn factor_of_mass(block: &Block6) -> Option<CholeskyBlock> {
             }
         }
     }
-    CholeskyBlock::of(block)
+    CholeskyBlock::of(&std::array::from_fn(|i| std::array::from_fn(|j| block[i * WIDTH + j])))
 }

@@ -1,5 +1,5 @@
-//! Sparse elimination in blocks of 6 x 6: `A = I + H^T K H`, symmetric positive definite (Cholesky) or not symmetric
-//! (LU).
+//! Sparse elimination in blocks of 6 x 6, or of 3 x 3 where no row turns a body: `A = I + H^T K H`, symmetric positive
+//! definite (Cholesky) or not symmetric (LU).
 //!
 //! A symmetric `K` comes from contacts that are held or whose slip is taken as known, one that is not from contacts
 //! that slide: the velocity along the normal changes the reaction along the slip, and not the other way round. The
@@ -10,8 +10,8 @@
 //! is told, and taken for one that is not symmetric.
 
 use crate::sparse::block6::{
-    Block6, CholeskyBlock, FactoredBlock, Vector6, WIDTH, ZERO, subtract_product, subtract_times,
-    subtract_transposed_times, transposed,
+    Block, CholeskyBlock, FactoredBlock, Vector6, subtract_product, subtract_times, subtract_transposed_times,
+    transposed, unit,
 };
 use crate::sparse::elimination::Elimination;
 
@@ -27,52 +27,49 @@ pub(crate) enum Symmetry {
 
 /// The matrix, and then its factors in its place.
 #[derive(Debug, Clone, Default)]
-pub(crate) struct Factors {
+pub(crate) struct Factors<const W: usize> {
     symmetry: Symmetry,
-    diagonal: Vec<Block6>,
+    diagonal: Vec<Block<W>>,
     /// The block of each coupling, below the diagonal.
-    lower: Vec<Block6>,
+    lower: Vec<Block<W>>,
     /// Above it.
-    upper: Vec<Block6>,
+    upper: Vec<Block<W>>,
     /// Whether each coupling has entries: bodies that only open contacts couple have none.
     filled: Vec<bool>,
-    general: Vec<FactoredBlock>,
-    symmetric: Vec<CholeskyBlock>,
+    general: Vec<FactoredBlock<W>>,
+    symmetric: Vec<CholeskyBlock<W>>,
+    by_turn: Vec<[f64; W]>,
 }
 
-impl Factors {
+impl<const W: usize> Factors<W> {
     /// The unit matrix.
     pub(crate) fn clear(&mut self, elimination: &Elimination, symmetry: Symmetry) {
-        let mut unit = ZERO;
-        for k in 0..WIDTH {
-            unit[k * WIDTH + k] = 1.0;
-        }
         self.symmetry = symmetry;
         self.diagonal.clear();
-        self.diagonal.resize(elimination.bodies(), unit);
+        self.diagonal.resize(elimination.bodies(), unit());
         self.lower.clear();
-        self.lower.resize(elimination.couplings(), ZERO);
+        self.lower.resize(elimination.couplings(), [[0.0; W]; W]);
         self.filled.clear();
         self.filled.resize(elimination.couplings(), false);
         self.upper.clear();
         if symmetry == Symmetry::General {
-            self.upper.resize(elimination.couplings(), ZERO);
+            self.upper.resize(elimination.couplings(), [[0.0; W]; W]);
         }
     }
 
     /// The diagonal block of a turn.
-    pub(crate) fn diagonal_mut(&mut self, turn: usize) -> &mut Block6 {
+    pub(crate) fn diagonal_mut(&mut self, turn: usize) -> &mut Block<W> {
         &mut self.diagonal[turn]
     }
 
     /// The block of a coupling below the diagonal, which then counts as filled.
-    pub(crate) fn lower_mut(&mut self, coupling: usize) -> &mut Block6 {
+    pub(crate) fn lower_mut(&mut self, coupling: usize) -> &mut Block<W> {
         self.filled[coupling] = true;
         &mut self.lower[coupling]
     }
 
     /// The block above it; none in a symmetric matrix.
-    pub(crate) fn upper_mut(&mut self, coupling: usize) -> Option<&mut Block6> {
+    pub(crate) fn upper_mut(&mut self, coupling: usize) -> Option<&mut Block<W>> {
         self.upper.get_mut(coupling)
     }
 
@@ -145,8 +142,20 @@ impl Factors {
         self.general.push(pivot);
     }
 
+    /// `A^-1 x` in place of the first components of each body's `x`; the others stay.
+    pub(crate) fn solve_bodies(&mut self, elimination: &Elimination, x: &mut [Vector6]) {
+        let mut by_turn = std::mem::take(&mut self.by_turn);
+        by_turn.clear();
+        by_turn.extend(elimination.order().iter().map(|&body| -> [f64; W] { std::array::from_fn(|k| x[body][k]) }));
+        self.solve(elimination, &mut by_turn);
+        for (&body, found) in elimination.order().iter().zip(&by_turn) {
+            x[body][..W].copy_from_slice(found);
+        }
+        self.by_turn = by_turn;
+    }
+
     /// `A^-1 x` in place of `x`, by turns.
-    pub(crate) fn solve(&self, elimination: &Elimination, x: &mut [Vector6]) {
+    fn solve(&self, elimination: &Elimination, x: &mut [[f64; W]]) {
         for turn in 0..elimination.bodies() {
             match self.symmetry {
                 Symmetry::Symmetric => self.symmetric[turn].solve_lower(&mut x[turn]),
@@ -182,8 +191,13 @@ mod tests {
     //! A chain of bodies: what the matrix multiplies, its factors give back, symmetric or not.
     use super::*;
     use crate::law::Law;
+    use crate::sparse::block6::WIDTH;
     use crate::sparse::body::BodyMass;
     use crate::sparse::problem::{BodyProblem, BodyRows};
+
+    fn block(entry: &dyn Fn(usize) -> f64) -> Block<WIDTH> {
+        std::array::from_fn(|i| std::array::from_fn(|j| entry(WIDTH * i + j)))
+    }
 
     /// Bodies in a ring with a chord, so that elimination makes new couplings.
     fn elimination(bodies: usize) -> Elimination {
@@ -205,15 +219,15 @@ mod tests {
         let (bodies, wave) = (11, |seed: usize| ((seed * 7919 % 101) as f64 / 101.0) - 0.5);
         let elimination = elimination(bodies);
         for symmetry in [Symmetry::Symmetric, Symmetry::General] {
-            let mut factors = Factors::default();
+            let mut factors = Factors::<WIDTH>::default();
             factors.clear(&elimination, symmetry);
             let x: Vec<Vector6> = (0..bodies).map(|body| std::array::from_fn(|k| wave(6 * body + k))).collect();
             let mut b = x.clone();
             for turn in 0..bodies {
                 for at in elimination.range(turn) {
                     let row = elimination.later()[at] as usize;
-                    let lower: Block6 = std::array::from_fn(|k| 0.1 * wave(36 * at + k));
-                    let twisted: Block6 = std::array::from_fn(|k| 0.1 * wave(17 * at + k));
+                    let lower = block(&|k| 0.1 * wave(36 * at + k));
+                    let twisted = block(&|k| 0.1 * wave(17 * at + k));
                     *factors.lower_mut(at) = lower;
                     let upper = if let Some(upper) = factors.upper_mut(at) {
                         *upper = twisted;
@@ -221,8 +235,8 @@ mod tests {
                     } else {
                         transposed(&lower)
                     };
-                    subtract_times(&lower.map(|a| -a), &x[turn], &mut b[row]);
-                    subtract_times(&upper.map(|a| -a), &x[row], &mut b[turn]);
+                    subtract_times(&lower.map(|line| line.map(|a| -a)), &x[turn], &mut b[row]);
+                    subtract_times(&upper.map(|line| line.map(|a| -a)), &x[row], &mut b[turn]);
                 }
             }
             assert!(factors.factor(&elimination));

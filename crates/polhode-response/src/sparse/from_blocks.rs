@@ -16,8 +16,8 @@ use crate::friction::{Blocks, BlocksSolution, FrictionMethod, FrictionReport, Fr
 use crate::law::Law;
 use crate::problem::ContactProblem;
 use crate::report::{Method, SolverReport};
-use crate::sparse::block6::{Block6, WIDTH, ZERO};
-use crate::sparse::body::BodyMass;
+use crate::sparse::block6::WIDTH;
+use crate::sparse::body::{BodyMass, MassBlock};
 use crate::sparse::problem::{BodyProblem, BodyRows};
 use crate::sparse::settings::BodySettings;
 use crate::sparse::solution::{BodyMethod, BodyReport, BodySolution};
@@ -253,7 +253,7 @@ fn masses_of(problem: &ContactProblem) -> Result<Vec<BodyMass>, ResponseError> {
         return Err(ResponseError::Width(width));
     }
     let of = |body: usize| {
-        let mut block: Block6 = ZERO;
+        let mut block: MassBlock = [0.0; WIDTH * WIDTH];
         for k in 0..WIDTH {
             block[k * WIDTH + k] = 1.0;
         }

@@ -1,8 +1,9 @@
 //! Contact problems in the velocities of bodies, solved by sparse factors whose size goes with the bodies.
 //!
 //! `M (v - v_free) = H^T r`, `u = H v + b + C r`, and a law for the `r` and `u` of each contact or joint. No Delassus
-//! matrix is formed: a step of every method here solves `(I + H^T K H) dv = right`, whose graph is that of the
-//! bodies, with blocks of 6 x 6. It is regular however many contacts are redundant, and memory is linear in them.
+//! matrix is formed: a step of every method here solves `(I + H^T K H) dv = right`, whose graph is that of the bodies,
+//! with blocks of 6 x 6 (3 x 3 where no row turns a body). It is regular however many contacts are redundant, and
+//! memory is linear in them.
 //!
 //! | stage | what it does | where |
 //! |---|---|---|

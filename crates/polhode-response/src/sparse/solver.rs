@@ -1,11 +1,11 @@
 //! The chain of methods in the velocities of bodies, and one residual for all of them.
 //!
-//! Warm: semismooth Newton from the reactions given. Where that was not enough, and where sweeps are asked for, a first
-//! round of them. Without friction the augmented Lagrangian follows, with Newton's method to the end. With friction:
-//! the interior point, from the loads that sweeps have found or from those that would hold everything, and Newton's
-//! method; further rounds of sweeps with Newton's method; where these find no answer, the path of compliance from the
-//! best one; where that turns back, smoothing Newton with Newton's method, and the path from no reactions at all. The
-//! best of all is returned, with its residual and what became of it.
+//! Warm: semismooth Newton from the reactions given, where there is friction. Where that was not enough, and where
+//! sweeps are asked for, a first round of them. Without friction the augmented Lagrangian follows, with Newton's
+//! method to the end. With friction: the interior point, from the loads that sweeps have found or from those that
+//! would hold everything, and Newton's method; further rounds of sweeps with Newton's method; where these find no
+//! answer, the path of compliance from the best one; where that turns back, smoothing Newton with Newton's method, and
+//! the path from no reactions at all. The best of all is returned, with its residual and what became of it.
 
 #[cfg(feature = "census")]
 use crate::census::{self, Answer, Size};
@@ -218,7 +218,9 @@ impl Chain<'_> {
             if self.is_reached() {
                 return;
             }
-            self.run_newton(&mut warm, self.settings.warm_steps);
+            if !AugmentedLagrangian::takes(self.problem) {
+                self.run_newton(&mut warm, self.settings.warm_steps);
+            }
             self.take(&warm, BodyMethod::Warm);
             self.report.warm = self.system.factorisations;
             if self.is_enough() {
@@ -256,8 +258,10 @@ impl Chain<'_> {
 
     /// The augmented Lagrangian where there is no friction. Returns whether the answer is found.
     fn minimise(&mut self, swept: Option<&Swept>) -> bool {
-        let method = AugmentedLagrangian::new(self.problem, self.elimination, self.measure);
-        let Some(mut method) = method.filter(|_| self.begins(BodyMethod::Lagrangian)) else { return false };
+        if !AugmentedLagrangian::takes(self.problem) || !self.begins(BodyMethod::Lagrangian) {
+            return false;
+        }
+        let mut method = AugmentedLagrangian::new(self.problem, self.elimination, self.measure);
         let mut near = self.best.clone();
         if let Some(swept) = swept {
             near.take(self.problem, self.measure, &swept.reactions);
