@@ -20,14 +20,12 @@ use crate::census::{self, Chain, Size};
 use crate::certificate::{nan_max, power_bound, row_accelerations, row_residual, row_scales};
 use crate::delassus::Delassus;
 use crate::error::{ResponseError, check_finite, check_length};
+use crate::least_force::INDEPENDENT_PIVOT;
 use crate::report::{Method, SolverReport, SolverStatus};
 use crate::settings::SolverSettings;
 
 /// Most contacts whose sets are tried (16 to 24): a million sets take about a second.
 pub const MOST_GUESSED: usize = 20;
-
-/// Rows whose relative pivot is below this depend on others (no unit); as in the linear programme of least force.
-const INDEPENDENT_PIVOT: f64 = 1e-10;
 
 /// Rounding of forces and accelerations of a set that fits, relative to their terms (no unit).
 const FITS: f64 = 1e-11;

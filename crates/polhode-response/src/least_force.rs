@@ -34,7 +34,7 @@ const EXACT: f64 = 1e-12;
 
 /// Rows whose relative pivot is below this depend on others (no unit). Pivots are quadratic in distances: contacts that
 /// are 1e-5 of the lever arm apart are taken as one; rounding of pivots is below 1e-14.
-const INDEPENDENT_PIVOT: f64 = 1e-10;
+pub(crate) const INDEPENDENT_PIVOT: f64 = 1e-10;
 
 /// Which step gave the answer.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

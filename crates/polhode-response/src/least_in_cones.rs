@@ -35,7 +35,7 @@ use crate::report::SolverStatus;
 use crate::sliding::{DEPENDENT_COLUMN, SlidingRow, check_rows, held_by_forces};
 
 /// A force exceeds its cone from this much above it on, relative to the largest force (no unit, 1e-11 to 1e-10).
-const EXCEEDED: f64 = 5e-11;
+pub(crate) const EXCEEDED: f64 = 5e-11;
 
 /// Most steps of Newton's method: some ten come to rounding where forces lie well within the cones.
 const MOST_NEWTON_STEPS: u32 = 60;

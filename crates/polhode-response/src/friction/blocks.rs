@@ -8,7 +8,7 @@
 //! the problem is made.
 
 use crate::delassus::Delassus;
-use crate::error::ResponseError;
+use crate::error::{ResponseError, check_length};
 use crate::friction::block_matrix::BlockMatrix;
 use crate::friction::linearisation::ContactStatus;
 use crate::friction::problem::FrictionProblem;
@@ -148,6 +148,20 @@ impl Blocks {
         self.laws.is_empty()
     }
 
+    /// That each law can be stated, for rows of a problem of so many.
+    ///
+    /// # Errors
+    /// A row that does not exist, another number of rows than the law has, a coefficient that is none.
+    pub(crate) fn check(&self, rows: usize) -> Result<(), ResponseError> {
+        if let Some(&row) = self.rows.iter().find(|&&row| row >= rows) {
+            return Err(ResponseError::UnknownRow { row, rows });
+        }
+        for (block, law) in self.laws.iter().enumerate() {
+            law.check(block)?;
+        }
+        check_length("rows of blocks", self.laws.iter().map(|law| law.rows()).sum(), self.rows.len())
+    }
+
     /// How many of them are contacts.
     pub(crate) fn contacts(&self) -> usize {
         self.laws.iter().filter(|law| law.pushes()).count()
@@ -178,10 +192,7 @@ impl Blocks {
     /// # Errors
     /// Those of [`FrictionProblem::new`], and when a row does not exist.
     pub fn problem(&self, delassus: &Delassus, constants: &[f64]) -> Result<FrictionProblem, ResponseError> {
-        let rows = delassus.len().min(constants.len());
-        if let Some(&row) = self.rows.iter().find(|&&row| row >= rows) {
-            return Err(ResponseError::UnknownRow { row, rows });
-        }
+        self.check(delassus.len().min(constants.len()))?;
         let sizes: Vec<usize> = self.laws.iter().map(|law| law.rows()).collect();
         let matrix = BlockMatrix::from_entries(&sizes, |i, j| {
             let entry = delassus.get(self.rows[i], self.rows[j]);

@@ -10,12 +10,10 @@
 
 use crate::dense::kernels::{axpy, dot, largest};
 use crate::friction::problem::FrictionProblem;
+use crate::friction::single_contact::PIVOT_ROUNDING;
 use crate::interior_point::{ConeProgramme, ConeRows, least_motion};
 use crate::law::Law;
 use crate::solve::way::CONE_PROGRAMME_MOST_ROWS;
-
-/// Pivots below this share of the largest diagonal entry count as zero (no unit): a hundred rounding units.
-const PIVOT_ROUNDING: f64 = 1e-14;
 
 /// What reactions that prove a problem to have no solution may move, relative to what the largest of them would move
 /// alone (no unit): the tolerance of the interior point with a margin.

@@ -16,7 +16,7 @@ use crate::friction::coulomb_cone::{Rows, project, tangential_length};
 use crate::law::{CONTACT_ROWS, Law};
 
 /// Pivots below this fraction of the diagonal count as zero (no unit): a hundred rounding units.
-const PIVOT_ROUNDING: f64 = 1e-14;
+pub(super) const PIVOT_ROUNDING: f64 = 1e-14;
 
 /// Steps of Newton's method and bisection for the root: the bracket is halved by half of them at least.
 const MOST_STEPS: usize = 100;

@@ -24,14 +24,12 @@
 
 use super::body::ImpulseBody;
 use super::joint::{ImpulseJoint, JointLaw, JointRow, MOST_JOINT_ROWS};
+use crate::sparse::held_forest::DEPENDENT_PIVOT;
 use polhode_spatial::{DVec3, DisjointSets};
 
 /// What holds the change of multipliers small, relative to the diagonal (no unit, 1e-10 to 1e-6): half of the digits,
 /// and less than the inverse of a ratio of masses of 1e6.
 const PROXIMAL_OF_JOINTS: f64 = 1e-8;
-
-/// A pivot below this part of the diagonal is rounding (no unit, 1e-14 to 1e-10).
-const DEPENDENT_PIVOT: f64 = 1e-13;
 
 /// Coordinates of a body: along, and about its centre of mass.
 const WIDTH: usize = 6;

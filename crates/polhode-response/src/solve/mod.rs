@@ -32,7 +32,7 @@ mod without_friction;
 pub use answer::{Answer, Choice, Share};
 pub use problem::{Ask, Memory, RowProblem};
 
-use crate::error::{ResponseError, check_length};
+use crate::error::{ResponseError, check_finite, check_length};
 use crate::friction::Blocks;
 
 /// Solves for the reactions of rows: forces (N), impulses (N s), or what displaces bodies.
@@ -56,21 +56,44 @@ use crate::friction::Blocks;
 /// When a list has another length than the problem has rows, or a number is not finite.
 #[cfg_attr(feature = "census", track_caller)]
 pub fn solve(problem: &RowProblem<'_>, ask: Ask<'_>, memory: &mut Memory) -> Result<Answer, ResponseError> {
+    check_finite("constant terms", problem.constants)?;
+    if let Some(blocks) = problem.blocks {
+        blocks.check(problem.rows.len())?;
+    }
     if let (Ask::Stage, Some(blocks)) = (ask, problem.blocks) {
         return stage::solve(problem, blocks);
     }
     check_length("constant terms", problem.rows.len(), problem.constants.len())?;
     if let Some(blocks) = problem.blocks {
-        if let Some(found) = instant::solve_sparse(problem, blocks, ask)? {
-            return Ok(found);
-        }
-        if blocks.have_friction() {
-            return instant::solve(problem, blocks, ask);
-        }
+        return of_blocks(problem, blocks, ask, memory);
     }
     if problem.rows.has_friction() {
-        return instant::solve(problem, &Blocks::of(problem.rows), ask);
+        return of_blocks(problem, &Blocks::of(problem.rows), ask, memory);
     }
+    of_rows(problem, ask, memory)
+}
+
+/// The same of blocks.
+#[cfg_attr(feature = "census", track_caller)]
+fn of_blocks(
+    problem: &RowProblem<'_>,
+    blocks: &Blocks,
+    ask: Ask<'_>,
+    memory: &mut Memory,
+) -> Result<Answer, ResponseError> {
+    if let Some(found) = instant::solve_sparse(problem, blocks, ask)? {
+        return Ok(found);
+    }
+    match ask {
+        _ if !blocks.have_friction() => of_rows(problem, ask, memory),
+        Ask::Step => step::solve(problem, blocks),
+        _ => instant::solve(problem, blocks, ask),
+    }
+}
+
+/// The same of rows that push and hold, without friction.
+#[cfg_attr(feature = "census", track_caller)]
+fn of_rows(problem: &RowProblem<'_>, ask: Ask<'_>, memory: &mut Memory) -> Result<Answer, ResponseError> {
     if let Ask::Displacement { accuracy } = ask
         && let Some(found) = without_friction::displacements(problem, accuracy)?
     {

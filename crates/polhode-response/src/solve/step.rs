@@ -13,6 +13,7 @@
 //! Where one does not come to the residual asked for, the other is tried, unless the rows are too many for their
 //! matrix, and the better answer is taken. What is left is told.
 
+use super::answer::Answer;
 use super::problem::{Memory, RowProblem};
 use super::way::{self, STEP_MOST_ROWS, STEP_MOST_ROWS_IN_HEAPS};
 use super::without_friction::active_set;
@@ -216,6 +217,19 @@ impl StepProblem<'_> {
     pub const fn is_started_from(&self) -> bool {
         matches!(self.system, System::Bodies { .. } | System::Beside { .. })
     }
+}
+
+/// Impulses of blocks with friction, of a step that knows of no other one.
+///
+/// # Errors
+/// When a number is not finite.
+#[cfg_attr(feature = "census", track_caller)]
+pub(super) fn solve(problem: &RowProblem<'_>, blocks: &Blocks) -> Result<Answer, ResponseError> {
+    let RowProblem { rows, constants, noise_floor, .. } = *problem;
+    let (contacts, carried) = (blocks.contacts(), &WarmStart::default());
+    let (joints, group) = (problem.joints.clone(), Some(0));
+    let rows = StepRows { rows, joints, constants, contacts, group, carried, noise_floor };
+    Ok(StepMemory::default().problem(&rows, || None).solve(blocks, |_| false)?.into())
 }
 
 /// Takes the other answer if its residual is smaller.

@@ -27,7 +27,7 @@ use std::ops::Range;
 
 /// A pivot of a branch below this part of its diagonal counts as a row that depends on the others (no unit, 1e-14 to
 /// 1e-11): the rounding of some dozen terms over ratios of masses of 1e3 within one joint.
-const DEPENDENT_PIVOT: f64 = 1e-13;
+pub(crate) const DEPENDENT_PIVOT: f64 = 1e-13;
 
 /// Most rows of one branch: a joint has six at most, and as many soft ones.
 const MOST_ROWS_OF_BRANCH: usize = 12;

@@ -40,7 +40,7 @@ mod elimination;
 mod factors;
 mod forest_passes;
 pub(crate) mod from_blocks;
-mod held_forest;
+pub(crate) mod held_forest;
 mod interior_cone;
 mod interior_point;
 mod iterate;

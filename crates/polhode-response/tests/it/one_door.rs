@@ -65,8 +65,9 @@ fn a_box_on_a_slope_stays_or_slides_whatever_is_asked() {
             assert!((sum(&found.reactions[..2]) - 2.0 * G).abs() < 1e-9);
             let along = 2.0 * G * slope.min(friction);
             assert!((sum(&found.reactions[2..]) + along).abs() < 1e-9);
-            let status = if is_held { ContactStatus::Stick } else { ContactStatus::Slide };
-            assert!(found.statuses.iter().all(|own| *own == status), "{slope} {of:?}: {:?}", found.statuses);
+            // Of feet that are held, one may be at the limit of its cone: their parts of the load are not unique.
+            let slides = found.statuses.iter().all(|own| *own == ContactStatus::Slide);
+            assert_eq!(slides, !is_held, "{slope} {of:?}: {:?}", found.statuses);
         }
         let certificate = ask(&problem, &blocks, &constants, Ask::Balance { free: &free }).unwrap();
         assert_eq!(certificate.report.status == SolverStatus::Solved, is_held, "{slope}: {certificate:?}");
@@ -162,8 +163,11 @@ fn gaps_are_removed_as_far_as_is_allowed() {
         remove((&problem, 0..2), &[1e-3, 1e-3], limits, change_of).unwrap()
     };
     let whole = with(1.0);
-    assert!(!whole.is_partial && (whole.reactions[0] + 1e-3).abs() < 1e-12, "{whole:?}");
-    assert!((whole.reactions[0] - whole.reactions[1]).abs() < 1e-15, "the least reactions are shared");
+    // Both rows ask for the same: their sum is exact, and each has its half to what the factor leaves of rows that
+    // depend on each other.
+    let [first, second] = whole.reactions[..] else { panic!("{whole:?}") };
+    assert!(!whole.is_partial && (first + second + 2e-3).abs() < 1e-12, "{whole:?}");
+    assert!((first - second).abs() < 1e-8, "the least reactions are shared: {whole:?}");
     let part = with(1e-4);
     assert!(part.is_partial && change_of(&problem.response(&part.reactions).unwrap()) <= 1e-4 * (1.0 + 1e-12));
 }
@@ -189,7 +193,7 @@ fn what_is_no_problem_is_refused_or_said_to_be_unsolved() {
         let negative = feet(|| Law::Cone { rows: 2, friction: -0.5 });
         let negative = ask(&problem, &negative, &[0.0; 4], of);
         assert!(matches!(negative, Err(ResponseError::Friction { .. })), "{of:?}: {negative:?}");
-        let none = ContactProblem::new(3, problem.row_velocities(&[0.0; 3]).map(|_| Vec::new()).unwrap()).unwrap();
+        let none = ContactProblem::new(3, vec![1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0]).unwrap();
         let empty = ask(&none, &Blocks::default(), &[], of).unwrap();
         assert!(empty.reactions.is_empty(), "{of:?}: {empty:?}");
     }

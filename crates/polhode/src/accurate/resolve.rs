@@ -10,6 +10,7 @@ use super::motions::{Mode, Motions};
 use super::schedule::Schedule;
 use crate::collision::contact_modes::ContactModes;
 use crate::collision::friction_mode::{FrictionMode, Slide};
+use crate::collision::passing::SUSTAINED_RELATIVE;
 use crate::collision::touch::{FoundContact, Hold, Pair, Touch};
 use crate::collision::{contact_kinematics, contact_set, covered_borders, friction};
 use crate::error::SimulationError;
@@ -28,10 +29,6 @@ use crate::tier::core::Core;
 use polhode_response::impact::{ImpactSettings, ImpactStatus};
 use polhode_spatial::DVec3;
 use std::collections::BTreeSet;
-
-/// A contact whose relative speed is below this fraction of the speeds of its bodies counts as neither approaching nor
-/// separating. It is about a thousand rounding units.
-const SUSTAINED_RELATIVE: f64 = 1e-12;
 
 /// The same, as a fraction of the largest speed that the bodies of the instant have had: the rounding error of
 /// velocities that cancelled.

@@ -15,7 +15,7 @@ use polhode_spatial::Velocity;
 
 /// Contacts that approach by less than this part of the speeds of their bodies do not collide: a thousand rounding
 /// units.
-const SUSTAINED_RELATIVE: f64 = 1e-12;
+pub(crate) const SUSTAINED_RELATIVE: f64 = 1e-12;
 
 /// Replaces the contacts of a pair that would collide, although the bodies pass each other along a face, by those
 /// with the plane of that face. Returns the features of these, ascending; they may lie beyond the border of the

@@ -2,14 +2,11 @@
 
 use crate::friction::{Blocks, ContactStatus};
 use crate::law::Law;
+use crate::least_in_cones::EXCEEDED;
 use crate::problem::ContactProblem;
 
-/// A tangential force exceeds what friction bears from this much above it on, relative to it (no unit, 1e-11 to 1e-10):
-/// bodies of one material that slide together hold each other with forces exactly at the limit, and errors of steps
-/// must not decide whether they slide on each other.
-const EXCEEDED: f64 = 5e-11;
-
-/// Whether a tangential force is more than friction bears (both N).
+/// Whether a tangential force is more than friction bears (both N): bodies of one material that slide together hold each
+/// other with forces exactly at the limit, and errors of steps must not decide whether they slide on each other.
 fn exceeds_friction(tangential: f64, limit: f64) -> bool {
     tangential > limit * (1.0 + EXCEEDED)
 }
