@@ -33,8 +33,11 @@ pub(crate) fn dot6(x: &Vector6, y: &Vector6) -> f64 {
 
 /// The same of any width, of translations and rotations in the same order.
 fn dot<const W: usize>(x: &[f64; W], y: &[f64; W]) -> f64 {
-    let lane = |k: usize| (k..W).step_by(TRANSLATION).map(|k| x[k] * y[k]).sum::<f64>();
-    (0..TRANSLATION).map(lane).sum()
+    let mut lanes: [f64; TRANSLATION] = std::array::from_fn(|k| x[k] * y[k]);
+    for k in TRANSLATION..W {
+        lanes[k % TRANSLATION] += x[k] * y[k];
+    }
+    (lanes[0] + lanes[1]) + lanes[2]
 }
 
 /// `y += a x`.

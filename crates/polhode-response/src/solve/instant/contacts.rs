@@ -5,8 +5,8 @@ use crate::law::Law;
 use crate::least_in_cones::EXCEEDED;
 use crate::problem::ContactProblem;
 
-/// Whether a tangential force is more than friction bears (both N): bodies of one material that slide together hold each
-/// other with forces exactly at the limit, and errors of steps must not decide whether they slide on each other.
+/// Whether a tangential force is more than friction bears (both N): bodies of one material that slide together hold
+/// each other with forces exactly at the limit, and errors of steps must not decide whether they slide on each other.
 fn exceeds_friction(tangential: f64, limit: f64) -> bool {
     tangential > limit * (1.0 + EXCEEDED)
 }
