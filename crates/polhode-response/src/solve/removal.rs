@@ -72,7 +72,9 @@ pub fn remove(
     let mut reactions = LeastNormHold::factor_softly(&delassus)?.solve(&delassus, values)?;
     let change = change_by(&reactions)?;
     if change > allowed {
-        reactions.iter_mut().for_each(|reaction| *reaction *= allowed / change);
+        for reaction in &mut reactions {
+            *reaction *= allowed / change;
+        }
     }
     Ok(Removed { reactions, is_partial: true })
 }

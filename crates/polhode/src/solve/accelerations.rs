@@ -409,11 +409,10 @@ fn begin_exactly(frictional: &mut [Option<FrictionalContact>], found: &Accelerat
     let mut any = false;
     for (friction, tangent) in frictional.iter_mut().zip(&found.contacts) {
         let (Some(friction), Some(tangent)) = (friction, tangent) else { continue };
-        if friction.sliding.is_none() && tangent.slides && tangent.slip_acceleration.length() > least {
-            if let Some(direction) = tangent.begins_along() {
-                *friction = friction.sliding_along(direction);
-                any = true;
-            }
+        let slides = friction.sliding.is_none() && tangent.slides && tangent.slip_acceleration.length() > least;
+        if slides && let Some(direction) = tangent.begins_along() {
+            *friction = friction.sliding_along(direction);
+            any = true;
         }
     }
     any
@@ -427,11 +426,12 @@ fn begin_to_slide(frictional: &mut [Option<FrictionalContact>], found: &Accelera
         let (Some(friction), Some(tangent)) = (friction, tangent) else { continue };
         let growth = tangent.slip_acceleration.length();
         let slides = friction.sliding.is_none() && tangent.slides && growth > STICKING_ACCELERATION * found.scale;
-        if slides && friction.coefficients.sliding.is_below(friction.coefficients.at_rest) {
-            if let Some(direction) = tangent.begins_along() {
-                *friction = friction.sliding_along(direction);
-                any = true;
-            }
+        if slides
+            && friction.coefficients.sliding.is_below(friction.coefficients.at_rest)
+            && let Some(direction) = tangent.begins_along()
+        {
+            *friction = friction.sliding_along(direction);
+            any = true;
         }
     }
     any

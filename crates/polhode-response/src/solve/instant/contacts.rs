@@ -75,7 +75,9 @@ impl Contacts {
             first = own.end;
             let rows = &blocks.rows()[own.clone()];
             let Some((&normal, tangents)) = rows.split_first().filter(|_| law.pushes()) else { continue };
-            rows.iter().for_each(|&row| is_joint[row] = false);
+            for &row in rows {
+                is_joint[row] = false;
+            }
             let mode = match law {
                 Law::Slide { friction } => Mode::Slides(*friction),
                 Law::Cone { friction, .. } if !tangents.is_empty() => Mode::Sticks(*friction),
