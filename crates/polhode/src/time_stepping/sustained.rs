@@ -213,6 +213,9 @@ impl TimeStepper {
             let soft = soft_rows::soft_rows(model, (states, &group.bodies), h, &kicked.kick.of_joints, kick_of_row);
             assembly.push_soft(states, soft)?;
         }
+        if kicked.loops.hold_any(&group.bodies) {
+            assembly.find_supports();
+        }
         let of_contacts = members.iter().map(|row| row.kinematics.separation_rate + row.bound);
         let constants = assembly.step_constants(of_contacts, kick_of_row);
         if members.iter().any(|row| row.friction.is_some()) || is_for_bodies(&assembly, members.len()) {
@@ -223,10 +226,8 @@ impl TimeStepper {
             };
             let found = sustained_friction::solve(assembly, states, constants, &friction, (cones, h, stops))?;
             report.factorisations += found.factorisations as u64;
-            let sustained_friction::FrictionalImpulses { mut reactions, rubbing, .. } = found;
+            let sustained_friction::FrictionalImpulses { reactions, rubbing, .. } = found;
             let found = Found { residual: found.report.residual, violation: found.violation, stops: found.stops };
-            let joints = std::mem::take(&mut reactions.bilaterals);
-            reactions.bilaterals = kicked.loops.least(model, (states, &group.bodies), joints)?;
             return Ok(SolvedGroup { group, reactions, rubbing, found, share: 1.0 });
         }
         let carried = (0..members.len()).filter(|&i| self.carried.contains(near[members[i].contact].id)).collect();
@@ -250,9 +251,7 @@ impl TimeStepper {
                 *impulse *= share;
             }
         }
-        let mut reactions = Reactions::of(&assembly, members.len(), &impulses);
-        let joints = std::mem::take(&mut reactions.bilaterals);
-        reactions.bilaterals = kicked.loops.least(model, (states, &group.bodies), joints)?;
+        let reactions = Reactions::of(&assembly, members.len(), &assembly.least(&impulses)?);
         Ok(SolvedGroup { group, reactions, rubbing: Rubbing::default(), found, share: 1.0 })
     }
 }
