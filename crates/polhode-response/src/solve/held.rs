@@ -1,10 +1,12 @@
 //! Rows that hold, by the reactions of least norm: joints under given loads.
 
 use super::way;
-use crate::delassus::Delassus;
-use crate::error::ResponseError;
+use crate::dense::householder::PivotedQr;
+use crate::dense::kernels::dot;
+use crate::error::{ResponseError, check_length};
 use crate::least_norm_hold::LeastNormHold;
 use crate::problem::ContactProblem;
+use crate::sliding::DEPENDENT_COLUMN;
 use std::ops::Range;
 
 /// The reactions of joints that hold against these constant terms: beside their trees, or with the matrix of all rows.
@@ -46,37 +48,64 @@ pub fn hold_all(rows: &ContactProblem, constants: &[f64]) -> Result<Held, Respon
     Ok(Held { reactions, left })
 }
 
-/// Rows that hold whose reactions may not be determined: those of a mechanism with more supports than it needs.
+/// Rows that hold and may depend on each other, as those of the joints of a mechanism with more supports than it needs:
+/// which of their reactions do the same.
+///
+/// Many reactions do the same then. Taken are those of least norm: with `f` (N) of the rows, `sum f^2`, for a joint
+/// whose rows are along directions and about axes at right angles `|force|^2 + |moment / l|^2` with its length `l`. So
+/// they turn with the bodies, whatever solver found reactions that do the same, and whatever the masses are.
+///
+/// Method: reactions do nothing beside the range of the Jacobian `J`, whose columns are those of the velocities of the
+/// bodies; QR factorisation with column pivoting finds it. Which rows depend is decided in the metric of bodies of one
+/// mass, at the square root of the cut of rows that are held while contacts slide: that one is of `J M^-1 J^T`. Source:
+/// Golub and Van Loan 2013, 5.4 and 5.5.
 #[derive(Debug)]
 pub struct Supports {
-    delassus: Delassus,
-    hold: LeastNormHold,
+    /// Factors of `J`.
+    factor: PivotedQr,
+    /// Whether bodies can move along each row.
+    moves: Vec<bool>,
 }
 
 impl Supports {
-    /// Those of these rows.
-    ///
-    /// # Errors
-    /// When a number is not finite.
-    pub fn of(rows: &ContactProblem) -> Result<Self, ResponseError> {
-        let delassus = rows.delassus();
-        Ok(Self { hold: LeastNormHold::factor(&delassus)?, delassus })
+    /// Those of some of these rows.
+    pub fn of(rows: &ContactProblem, held: Range<usize>) -> Self {
+        let (alike, width, count) = (rows.with_alike_masses(), rows.width(), held.len());
+        let mut jacobian = vec![0.0; rows.bodies() * width * count];
+        for (place, row) in held.clone().enumerate() {
+            for entry in alike.entries(row) {
+                let diagonal = alike.inverse_mass(entry.body).iter().step_by(width + 1);
+                for (k, (own, mass)) in entry.jacobian.iter().zip(diagonal).enumerate() {
+                    jacobian[(entry.body * width + k) * count + place] += own * mass.sqrt();
+                }
+            }
+        }
+        let factor = PivotedQr::factor(count, rows.bodies() * width, jacobian, DEPENDENT_COLUMN.sqrt());
+        Self { factor, moves: held.map(|row| rows.mobility(row) > 0.0).collect() }
     }
 
-    /// The part of some reactions that others may bear as well (no unit): 0 where they are determined. Rows that
-    /// nothing can move, as those across the plane of a planar motion, bear nothing of them.
+    /// Leaves of reactions, one for each row, the least ones that do the same.
     ///
     /// # Errors
-    /// When there is not one reaction for each row, or one is not finite.
-    pub fn open_part(&self, mut reactions: Vec<f64>) -> Result<f64, ResponseError> {
-        for (row, reaction) in reactions.iter_mut().enumerate() {
-            *reaction *= f64::from(u8::from(self.delassus.get(row, row) > 0.0));
-        }
-        let undone: Vec<f64> = self.delassus.times(&reactions)?.iter().map(|rate| -rate).collect();
-        let least = self.hold.solve(&self.delassus, &undone)?;
-        let product = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
-        let whole = product(&reactions, &reactions);
-        let left = (whole - product(&reactions, &least)).abs();
-        Ok(if whole > 0.0 { left / whole } else { 0.0 })
+    /// When there is not one reaction for each row.
+    pub fn leave_least(&self, reactions: &mut [f64]) -> Result<(), ResponseError> {
+        check_length("reactions", self.moves.len(), reactions.len())?;
+        let mut idle = reactions.to_vec();
+        self.factor.remove_range(&mut idle);
+        reactions.iter_mut().zip(&idle).for_each(|(own, idle)| *own -= idle);
+        Ok(())
+    }
+
+    /// Whether other reactions bear a part of some as well: beyond rounding, which is squared. Rows that nothing can
+    /// move, as those across the plane of a planar motion, bear nothing of them.
+    ///
+    /// # Errors
+    /// When there is not one reaction for each row.
+    pub fn leave_open(&self, mut reactions: Vec<f64>) -> Result<bool, ResponseError> {
+        check_length("reactions", self.moves.len(), reactions.len())?;
+        reactions.iter_mut().zip(&self.moves).for_each(|(own, moves)| *own *= f64::from(u8::from(*moves)));
+        let whole = dot(&reactions, &reactions);
+        self.factor.remove_range(&mut reactions);
+        Ok(dot(&reactions, &reactions) > DEPENDENT_COLUMN * whole)
     }
 }

@@ -186,7 +186,7 @@ fn with_loads_of_bearings(
         let problem = RowProblem { joints, blocks, ..RowProblem::new(&assembly.problem, &constants) };
         let found = polhode_response::solve(&problem, Ask::Stage, &mut Memory::default())?;
         rounds += 1;
-        if rounds == MOST_ROUNDS_OF_BEARINGS || !assembly.press_by_loads(&found.reactions, 1.0) {
+        if rounds == MOST_ROUNDS_OF_BEARINGS || !assembly.press_by_loads(&found.reactions, 1.0)? {
             return Ok(found);
         }
         assembly.press(&mut constants, 1.0);

@@ -55,8 +55,8 @@ const LEAST_NORM: &str =
     "normal forces of contacts that slide are not unique, and those of least norm are taken: the motion of";
 
 /// The warning of bearings with friction in a mechanism that has more supports than it needs, before the names.
-const OPEN_LOADS: &str = "loads of bearings with friction are not unique, and the choice of one follows the axes of \
-    the world: the motion of";
+const OPEN_LOADS: &str =
+    "loads of bearings with friction are not unique, and those of least norm are taken: the motion of";
 
 /// An impulse below this fraction of the largest impulse of an impact is rounding error. It is not reported as an
 /// event.

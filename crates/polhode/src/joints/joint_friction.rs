@@ -54,8 +54,6 @@ struct Bearing {
     share: f64,
     /// Unit vector, world.
     axis: DVec3,
-    /// The sign of motions of the first body of the joint in those of the first one of the contact.
-    sign: f64,
 }
 
 /// Rounds in which the load of bearings is found (10 to 100): each takes `k` over the levers of the joint of the error.
@@ -65,25 +63,20 @@ pub(crate) const MOST_ROUNDS_OF_BEARINGS: usize = 60;
 const SAME_LOAD: f64 = 4.0 * f64::EPSILON;
 
 impl Pressed {
-    /// The same where the joint bears these forces (N; impulses over `h`, s, that are N s): the reaction on its first
-    /// body, and those at levers on the first body of the contact. None where nothing changes.
-    pub(crate) fn renewed(&self, forces: impl Fn(usize) -> JointForces, h: f64) -> Option<Self> {
-        let Bearing { unloaded, share, axis, sign } = self.bearing?;
-        let JointForces { reaction, at_levers } = forces(self.of.joint);
-        let whole = (reaction + at_levers * sign) / h;
+    /// Whether the load of a bearing presses it.
+    pub(crate) fn is_by_load(&self) -> bool {
+        self.bearing.is_some()
+    }
+
+    /// The same where joints bear these forces (N; impulses over `h`, s, that are N s) on their first bodies, those at
+    /// levers among them. None where nothing changes.
+    pub(crate) fn renewed(&self, force_of: impl Fn(usize) -> DVec3, h: f64) -> Option<Self> {
+        let Bearing { unloaded, share, axis } = self.bearing?;
+        let whole = force_of(self.of.joint) / h;
         let load = (whole - axis * axis.dot(whole)).length();
         let force = unloaded + share * load;
         ((force - self.force).abs() > SAME_LOAD * force).then_some(Self { force, ..*self })
     }
-}
-
-/// The forces of a joint (N) or its impulses (N s), world.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub(crate) struct JointForces {
-    /// On its first body.
-    pub(crate) reaction: DVec3,
-    /// Of stops and friction, on the first body of their contact.
-    pub(crate) at_levers: DVec3,
 }
 
 impl ModelJoint {
@@ -177,7 +170,7 @@ pub(crate) fn pressed(model: &Model, states: &[BodyState], id: ContactId) -> Opt
     let bearing = (friction.arm() > 0.0).then(|| {
         let motion = |body: usize| -> (Pose, Velocity) { (states[body].pose, model.velocity(body, &states[body])) };
         let axis = joint.axis_of(of.place, motion);
-        Bearing { unloaded, share: friction.arm() / unit, axis, sign: joint.order().sign() }
+        Bearing { unloaded, share: friction.arm() / unit, axis }
     });
     Some(Pressed { force: unloaded, compliance, of, bearing })
 }

@@ -339,8 +339,9 @@ impl Tier for PenaltyEngine {
 
     fn joint_loads(&self, core: &Core, t: f64, states: &[BodyState]) -> Vec<JointView> {
         let Ok(Some(found)) = self.joint_reactions(core, t, states) else { return Vec::new() };
-        let of = (&found.assembly, found.forces.as_slice());
-        joint_loads(&core.model, states, of, std::iter::empty()).into_values().collect()
+        let assembly = found.assembly.with_supports(&core.model);
+        let Ok(least) = assembly.least(&found.forces) else { return Vec::new() };
+        joint_loads(&core.model, states, (&assembly, &least), std::iter::empty()).into_values().collect()
     }
 
     fn contacts(&self, core: &Core, t: f64, states: &[BodyState]) -> Vec<ContactView> {

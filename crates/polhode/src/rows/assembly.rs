@@ -11,14 +11,16 @@ use crate::constraint::softness::Softness;
 use crate::identity::contact_id::{ContactId, Feature};
 use crate::joints::bilateral::{self, Bilateral, Reaction};
 use crate::joints::held;
-use crate::joints::joint_friction::{self, JointForces, Pressed};
+use crate::joints::joint_friction::{self, Pressed};
 use crate::model::plane_of_motion::PlaneOfMotion;
 use crate::model::{Loads, Model, prescribed};
 use crate::rows::rotation_row::RotationRow;
 use polhode_contact::{ContactGeometry, ContactKinematics, TangentialKinematics};
 use polhode_dynamics::BodyState;
+use polhode_response::solve::held::Supports;
 use polhode_response::{ContactProblem, ResponseError};
 use polhode_spatial::DVec3;
+use std::borrow::Cow;
 use std::ops::Range;
 
 /// Coordinates of a body's generalised velocity in space.
@@ -107,6 +109,8 @@ pub(crate) struct Assembly {
     pressed: Vec<(usize, Pressed)>,
     /// The rows of stops: the joint, and the normal.
     stops: Vec<(usize, usize, DVec3)>,
+    /// Which reactions of joints do the same, where that was asked for, or where they press bearings and close loops.
+    supports: Option<Supports>,
     /// Movable bodies, in the order of the problem's blocks.
     bodies: Vec<usize>,
     coordinates: Coordinates,
@@ -169,6 +173,8 @@ impl Assembly {
         }
         let (tangents, tangent_rows) = (Vec::new(), Vec::new());
         let (rotations, rotation_rows) = (Vec::new(), Vec::new());
+        let depend = pressed.iter().any(|(_, own)| own.is_by_load()) && held::has_loops_among(model, bodies);
+        let supports = depend.then(|| Supports::of(&problem, contacts..problem.len()));
         let bodies = bodies.to_vec();
         Ok(Self {
             problem,
@@ -181,6 +187,7 @@ impl Assembly {
             rotation_rows,
             pressed,
             stops,
+            supports,
             bodies,
             coordinates,
         })
@@ -405,29 +412,83 @@ impl Assembly {
         }
     }
 
+    /// Finds which reactions of joints do the same, where these close loops.
+    pub(crate) fn find_supports(&mut self) {
+        self.supports = Some(Supports::of(&self.problem, self.rigid_rows()));
+    }
+
+    /// The same where the joints of these bodies close loops.
+    pub(crate) fn with_supports(mut self, model: &Model) -> Self {
+        if self.supports.is_none() && !self.bilaterals.is_empty() && held::has_loops_among(model, &self.bodies) {
+            self.find_supports();
+        }
+        self
+    }
+
+    /// The rows of joints without those that are soft, which follow them.
+    fn rigid_rows(&self) -> Range<usize> {
+        let rigid = self.bilaterals.iter().take_while(|own| own.softness.is_none());
+        self.contacts..self.contacts + rigid.map(|own| own.rows.len()).sum::<usize>()
+    }
+
+    /// The forces of all rows (N; impulses, N s), where those of joints are, of all that do the same, the ones with
+    /// which joints bear least: what their stops and their friction do at levers is a part of that.
+    ///
+    /// # Errors
+    /// When there is not one force for each row.
+    pub(crate) fn least<'a>(&self, forces: &'a [f64]) -> Result<Cow<'a, [f64]>, ResponseError> {
+        let Some(supports) = &self.supports else { return Ok(Cow::Borrowed(forces)) };
+        let rigid = self.rigid_rows();
+        let multipliers = |own: &Bilateral| {
+            let at_levers = Reaction { force: self.force_at_levers(own, forces), moment: DVec3::ZERO };
+            own.rows.iter().map(|row| row.multiplier(at_levers)).collect::<Vec<_>>()
+        };
+        let at_levers: Vec<f64> = self.bilaterals.iter().flat_map(multipliers).take(rigid.len()).collect();
+        let mut least = forces.to_vec();
+        let own = least.get_mut(rigid).unwrap_or_default();
+        own.iter_mut().zip(&at_levers).for_each(|(own, at_lever)| *own += at_lever);
+        supports.leave_least(own)?;
+        own.iter_mut().zip(&at_levers).for_each(|(own, at_lever)| *own -= at_lever);
+        Ok(Cow::Owned(least))
+    }
+
+    /// The force of stops and friction of a joint on its first body, from those of all rows.
+    fn force_at_levers(&self, of: &Bilateral, forces: &[f64]) -> DVec3 {
+        let ConstraintId::Joint { joint, .. } = of.id else { return DVec3::ZERO };
+        let is_first = |id: ContactId| {
+            of.members.iter().chain(&of.drivers).any(|member| (member.body == id.a) == (member.sign > 0.0))
+        };
+        let on_first = |id: ContactId, force: DVec3| if is_first(id) { force } else { -force };
+        let is_at = |id: ContactId| matches!(id.feature, Feature::JointFriction(of) if of.joint == joint);
+        let tangents = self.of_tangents(forces).filter(|(row, _)| is_at(row.id));
+        let stops = self.stops.iter().filter(|(_, stop, _)| *stop == joint);
+        let stops = stops.filter_map(|(row, _, normal)| {
+            let id = self.constraints.get(*row)?.contact()?;
+            Some(on_first(id, *normal * *forces.get(*row)?))
+        });
+        tangents.map(|(row, force)| on_first(row.id, row.along.normal * force)).chain(stops).sum()
+    }
+
     /// Presses bearings by the loads that follow from these forces (N, or impulses over `h`, s) of all rows. Returns
     /// whether any changes.
-    pub(crate) fn press_by_loads(&mut self, forces: &[f64], h: f64) -> bool {
+    ///
+    /// # Errors
+    /// When there is not one force for each row.
+    pub(crate) fn press_by_loads(&mut self, forces: &[f64], h: f64) -> Result<bool, ResponseError> {
         if self.pressed.is_empty() {
-            return false;
+            return Ok(false);
         }
+        let forces = &*self.least(forces)?;
         let of_joint = |joint: usize| {
             let is_own = |id: ConstraintId| matches!(id, ConstraintId::Joint { joint: own, .. } if own == joint);
             let reactions = self.reactions(forces).filter(|(of, _)| is_own(of.id) && of.softness.is_none());
-            let is_at = |id: ContactId| matches!(id.feature, Feature::JointFriction(of) if of.joint == joint);
-            let tangents = self.of_tangents(forces).filter(|(row, _)| is_at(row.id));
-            let stops = self.stops.iter().filter(|(_, stop, _)| *stop == joint);
-            JointForces {
-                reaction: reactions.map(|(_, reaction)| reaction.force).sum(),
-                at_levers: tangents.map(|(row, force)| row.along.normal * force).sum::<DVec3>()
-                    + stops.filter_map(|(row, _, normal)| Some(*normal * *forces.get(*row)?)).sum::<DVec3>(),
-            }
+            reactions.map(|(of, reaction)| reaction.force + self.force_at_levers(of, forces)).sum()
         };
         let renewed: Vec<(usize, Pressed)> =
             self.pressed.iter().map(|(row, own)| (*row, own.renewed(of_joint, h).unwrap_or(*own))).collect();
         let changes = renewed != self.pressed;
         self.pressed = renewed;
-        changes
+        Ok(changes)
     }
 
     /// Splits generalised velocities, accelerations or forces into (body, linear part, angular part).

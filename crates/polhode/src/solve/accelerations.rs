@@ -171,7 +171,7 @@ impl Accelerations {
         let noise_floor = if has_joints { tolerances::acceleration_rounding(model, states, bodies) } else { 0.0 };
         let start = WarmStart::new((0..contacts.len()).filter(|&place| contacts[place].hold == Hold::Held).collect());
         let mut rounds = 0;
-        let solved = loop {
+        let mut solved = loop {
             let problem = RowProblem {
                 blocks: Some(&blocks),
                 joints: assembly.joint_rows(),
@@ -182,12 +182,14 @@ impl Accelerations {
             };
             let found = solve(&problem, ask, memory)?;
             rounds += 1;
-            if rounds == MOST_ROUNDS_OF_BEARINGS || !assembly.press_by_loads(&found.reactions, 1.0) {
+            if rounds == MOST_ROUNDS_OF_BEARINGS || !assembly.press_by_loads(&found.reactions, 1.0)? {
                 break found;
             }
             assembly.press(&mut constants, 1.0);
         };
         let of_bodies = with_free(assembly.problem.response(&solved.reactions)?, &free);
+        let assembly = assembly.with_supports(model);
+        solved.reactions = assembly.least(&solved.reactions)?.into_owned();
         let mut first = assembly.first_tangent();
         let scale = largest(&constants);
         let tangential = frictional.iter().enumerate().map(|(normal, friction)| {

@@ -22,11 +22,9 @@ use crate::joints::held;
 use crate::model::Model;
 use crate::model::states_of::{set_states, states_of};
 use crate::report::momentum_ledger::{Momentum, MomentumSum};
-use crate::rows::assembly::Assembly;
 use crate::rows::groups::coupled_groups;
 use polhode_dynamics::BodyState;
 use polhode_response::ResponseError;
-use polhode_response::solve::held::hold_all;
 use polhode_spatial::{DVec3, Pose};
 use std::collections::BTreeMap;
 
@@ -73,35 +71,9 @@ impl ClosedLoops {
         })
     }
 
-    /// The least reactions of these bodies that do the same as these ones, which are those of all their bilateral
-    /// constraints.
-    ///
-    /// # Errors
-    /// When a number is not finite.
-    pub(crate) fn least(
-        &self,
-        model: &Model,
-        (states, bodies): (&[BodyState], &[usize]),
-        mut reactions: Vec<(Bilateral, Reaction)>,
-    ) -> Result<Vec<(Bilateral, Reaction)>, ResponseError> {
-        if reactions.is_empty() || !bodies.iter().any(|body| self.poses.contains_key(body)) {
-            return Ok(reactions);
-        }
-        let rigid = reactions.iter().filter(|(of, _)| of.softness.is_none());
-        let multipliers: Vec<f64> =
-            rigid.clone().flat_map(|(of, own)| of.rows.iter().map(|row| row.multiplier(*own))).collect();
-        let bilaterals = rigid.map(|(of, _)| of.clone()).collect();
-        let Assembly { problem, .. } =
-            &Assembly::with_bilaterals(model, (states, bodies), std::iter::empty(), bilaterals)?;
-        let given = problem.row_velocities(&problem.response(&multipliers)?)?;
-        let undone: Vec<f64> = given.iter().map(|rate| -rate).collect();
-        let least = hold_all(problem, &undone)?.reactions;
-        let mut left = &least[..];
-        for (of, reaction) in reactions.iter_mut().filter(|(of, _)| of.softness.is_none()) {
-            let (own, others) = left.split_at_checked(of.rows.len()).unwrap_or_default();
-            (*reaction, left) = (of.reaction(own), others);
-        }
-        Ok(reactions)
+    /// Whether some of these bodies are in closed loops.
+    pub(crate) fn hold_any(&self, bodies: &[usize]) -> bool {
+        bodies.iter().any(|body| self.poses.contains_key(body))
     }
 
     /// What reactions between bodies change their momentum by because their arms are those of the closed poses, angular

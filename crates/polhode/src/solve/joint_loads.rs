@@ -22,8 +22,8 @@ pub(crate) struct ContactForce {
     pub(crate) force: DVec3,
 }
 
-/// What the joints of a group bear, by their numbers, from the forces of all rows of its assembly and those of its
-/// contacts.
+/// What the joints of a group bear, by their numbers, from the forces of all rows of its assembly, those of joints
+/// the [least](Assembly::least), and those of its contacts.
 pub(crate) fn joint_loads(
     model: &Model,
     states: &[BodyState],

@@ -1,13 +1,11 @@
 //! Bearings whose load statics leaves open.
 //!
 //! A mechanism with more supports than it needs (three cranks of a parallelogram) moves in the same way with many loads
-//! of its joints. Where a bearing rubs, its friction follows from its load, and the motion from the choice among them:
-//! that has to be told. The choice itself is of least norm in the rows, whose scales follow the directions of the
-//! world.
+//! of its joints. Taken are those of least norm ([`Supports`]): `|force|^2 + |moment / l|^2` over all joints, with the
+//! length `l` of each, whatever solver found the motion, and in every orientation of the scene the same. Where a
+//! bearing rubs, its friction follows from its load, and the motion from that choice: that has to be told.
 //!
-//! Method: `x` is a force across the axis of the bearing, and `y` the least reactions of all joints that do what `x`
-//! does. If the load is determined, all reactions that do the same have the same force there, so that `x.y = x.x`.
-//! Source: the row space projection of Golub and Van Loan 2013, 5.5 (docs/REFERENCES.md). Assumption: contacts beside
+//! Method: a load is determined if none of the reactions that do nothing has a force there. Assumption: contacts beside
 //! the joints bear nothing of it.
 
 use crate::constraint::ConstraintId;
@@ -20,10 +18,6 @@ use polhode_response::ResponseError;
 use polhode_response::solve::held::Supports;
 use polhode_spatial::DVec3;
 
-/// The part of a force that other joints may bear as well from which on the load counts as open (no unit, 1e-5 to
-/// 1e-2): rounding gives some 1e-6.
-const OPEN_PART: f64 = 1e-4;
-
 /// Whether the load of a bearing with friction among the joints of these bodies (movable, ascending) is not determined.
 ///
 /// # Errors
@@ -34,7 +28,7 @@ pub(crate) fn leave_open(model: &Model, states: &[BodyState], bodies: &[usize]) 
         return Ok(false);
     }
     let assembly = Assembly::new(model, states, bodies, std::iter::empty())?;
-    let supports = Supports::of(&assembly.problem)?;
+    let supports = Supports::of(&assembly.problem, assembly.joint_rows());
     let multipliers = |bearing: ConstraintId, force: DVec3| -> Vec<f64> {
         let across = Reaction { force, moment: DVec3::ZERO };
         let of = |own: ConstraintId| if own == bearing { across } else { Reaction::default() };
@@ -44,7 +38,7 @@ pub(crate) fn leave_open(model: &Model, states: &[BodyState], bodies: &[usize]) 
     for (bearing, axis) in bearings {
         let (first, second) = axis.any_orthonormal_pair();
         for force in [first, second] {
-            if supports.open_part(multipliers(bearing, force))? > OPEN_PART {
+            if supports.leave_open(multipliers(bearing, force))? {
                 return Ok(true);
             }
         }

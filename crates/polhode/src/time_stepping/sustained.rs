@@ -213,6 +213,9 @@ impl TimeStepper {
             let soft = soft_rows::soft_rows(model, (states, &group.bodies), h, &kicked.kick.of_joints, kick_of_row);
             assembly.push_soft(states, soft)?;
         }
+        if kicked.loops.hold_any(&group.bodies) {
+            assembly.find_supports();
+        }
         let of_contacts = members.iter().map(|row| row.kinematics.separation_rate + row.bound);
         let constants = assembly.step_constants(of_contacts, kick_of_row);
         let friction: Vec<_> = members.iter().map(|row| row.friction).collect();
@@ -230,10 +233,8 @@ impl TimeStepper {
         };
         let found = sustained_friction::solve(assembly, states, constants, &friction, &known, (cones, h, stops))?;
         report.factorisations += found.factorisations as u64;
-        let sustained_friction::FrictionalImpulses { mut reactions, rubbing, .. } = found;
+        let sustained_friction::FrictionalImpulses { reactions, rubbing, .. } = found;
         let found = Found { residual: found.report.residual, violation: found.violation, stops: found.stops };
-        let joints = std::mem::take(&mut reactions.bilaterals);
-        reactions.bilaterals = kicked.loops.least(model, (states, &group.bodies), joints)?;
         Ok(SolvedGroup { group, reactions, rubbing, found, share: 1.0 })
     }
 }

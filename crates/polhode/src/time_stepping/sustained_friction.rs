@@ -418,7 +418,7 @@ pub(super) fn solve(
     let Settled { friction, solved, .. } = settled;
     let rows = rows.tangents;
     let violation = violation_of(&friction, &rows, &solved.reactions);
-    let reactions = Reactions::of(&assembly, friction.len(), &solved.reactions);
+    let reactions = Reactions::of(&assembly, friction.len(), &assembly.least(&solved.reactions)?);
     let rotation = |id: ContactId| friction.iter().flatten().find(|row| row.id() == id).map(|row| row.rotation);
     let rotations_before = reactions.moments.iter().map(|(id, _)| rotation(*id).unwrap_or_default()).collect();
     let rubbing = Rubbing { rows: friction.iter().flatten().copied().collect(), rotations_before };
@@ -466,7 +466,7 @@ fn settle(
             solvers.last.note(assembly, &solved.reactions, friction.len(), h);
         }
         rounds += 1;
-        if rounds == MOST_ROUNDS_OF_BEARINGS || !assembly.press_by_loads(&solved.reactions, h) {
+        if rounds == MOST_ROUNDS_OF_BEARINGS || !assembly.press_by_loads(&solved.reactions, h)? {
             return Ok(Settled { friction, solved, factorisations });
         }
         assembly.press(&mut constants, h);

@@ -14,6 +14,7 @@ mod constrained_methods;
 mod crowd_energy;
 mod crowded_bounces;
 mod dependence;
+mod dependent_joints;
 mod diamonds;
 mod driven_joints;
 mod energy_after_actions;
