@@ -11,7 +11,11 @@ use crate::sparse::{BodySettings, BodySolver};
 /// When a number is not finite, and where rows are soft or of more than two bodies
 /// ([`is_plain`](super::way::is_plain)).
 #[cfg_attr(feature = "census", track_caller)]
-pub fn solve_many(rows: &ContactProblem, blocks: &Blocks, constants: &[f64]) -> Result<BlocksSolution, ResponseError> {
+pub(super) fn solve_many(
+    rows: &ContactProblem,
+    blocks: &Blocks,
+    constants: &[f64],
+) -> Result<BlocksSolution, ResponseError> {
     let system = (&mut BodySolver::default(), &BodySettings::default());
     Ok(blocks.solve_in_bodies(rows, constants, None, system)?.0)
 }

@@ -14,14 +14,14 @@
 //! | [`impact`] | impulses of impacts, with friction or without |
 //! | [`held`] | rows that hold, by the reactions of least norm |
 //! | [`removal`] | what takes gaps and velocities out of rows that hold |
-//! | [`many`] | blocks of many contacts at an instant |
+//! | `many` | blocks of many contacts at an instant |
 //! | [`step`] | blocks with friction over a time step |
 
 pub mod answer;
 pub mod held;
 pub mod impact;
 pub mod instant;
-pub mod many;
+mod many;
 pub mod problem;
 pub mod removal;
 mod stage;
@@ -61,7 +61,7 @@ pub fn solve(problem: &RowProblem<'_>, ask: Ask<'_>, memory: &mut Memory) -> Res
         blocks.check(problem.rows.len())?;
     }
     if let (Ask::Stage, Some(blocks)) = (ask, problem.blocks) {
-        return stage::solve(problem, blocks);
+        return stage::solve(problem, blocks, memory);
     }
     check_length("constant terms", problem.rows.len(), problem.constants.len())?;
     if let Some(blocks) = problem.blocks {

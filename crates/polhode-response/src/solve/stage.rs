@@ -6,7 +6,7 @@
 //! answer, which [says so](Answer::beyond_cones).
 
 use super::answer::Answer;
-use super::problem::RowProblem;
+use super::problem::{Memory, RowProblem};
 use super::way;
 use crate::delassus::Delassus;
 use crate::error::ResponseError;
@@ -22,20 +22,24 @@ use crate::sparse::{BesideForest, HeldForest};
 ///
 /// # Errors
 /// When a number is not finite.
-pub(super) fn solve(problem: &RowProblem<'_>, blocks: &Blocks) -> Result<Answer, ResponseError> {
+pub(super) fn solve(problem: &RowProblem<'_>, blocks: &Blocks, memory: &mut Memory) -> Result<Answer, ResponseError> {
     let (rows, sliding) = (problem.rows, sliding_rows(blocks));
     let held = rows.len().saturating_sub(sliding.len());
     let constants = problem.constants.get(..held).unwrap_or(problem.constants);
     if sliding.is_empty() {
         let least = match way::trees(rows, problem.joints.clone()) {
             Some(forest) => beside(problem, &forest)?,
-            None => least_norm_forces(rows, &rows.delassus(), constants)?,
+            None => {
+                rows.delassus_into(&mut memory.delassus);
+                least_norm_forces(rows, &memory.delassus, constants)?
+            }
         };
         return Ok(Answer::from(least));
     }
-    let delassus = rows.delassus();
-    let least = least_norm_sliding_forces(rows, &delassus, constants, &sliding)?;
-    within_cones((&delassus, held, &sliding), blocks, least)
+    let delassus = &mut memory.delassus;
+    rows.delassus_into(delassus);
+    let least = least_norm_sliding_forces(rows, delassus, constants, &sliding)?;
+    within_cones((delassus, held, &sliding), blocks, least)
 }
 
 /// The forces of rows that are all held: of those beside the trees the least ones.

@@ -137,6 +137,7 @@ pub(super) fn solve(
     contacts: &[(ContactId, ContactKinematics)],
     friction: &[FrictionContact],
     loads: &Loads,
+    memory: &mut Memory,
 ) -> Result<HeldForces, ResponseError> {
     let rows = contacts.iter().map(|(id, kinematics)| (*id, kinematics.geometry));
     let mut assembly = Assembly::new(model, states, bodies, rows)?;
@@ -151,7 +152,7 @@ pub(super) fn solve(
     constants.truncate(equations);
     let laws = Laws::new(&assembly, (contacts.len(), friction));
     let Answer { reactions: forces, on_bodies, beyond_cones, .. } =
-        with_loads_of_bearings(&mut assembly, constants, &laws.blocks)?;
+        with_loads_of_bearings(&mut assembly, constants, &laws.blocks, memory)?;
     let violation = if beyond_cones { laws.violation(&forces) } else { None };
     let slips = friction.iter().filter_map(|contact| {
         let Sliding { row, coefficient, .. } = contact.own.sliding?;
@@ -179,12 +180,13 @@ fn with_loads_of_bearings(
     assembly: &mut Assembly,
     mut constants: Vec<f64>,
     blocks: &Blocks,
+    memory: &mut Memory,
 ) -> Result<Answer, ResponseError> {
     let mut rounds = 0;
     loop {
         let (joints, blocks) = (assembly.joint_rows(), Some(blocks));
         let problem = RowProblem { joints, blocks, ..RowProblem::new(&assembly.problem, &constants) };
-        let found = polhode_response::solve(&problem, Ask::Stage, &mut Memory::default())?;
+        let found = polhode_response::solve(&problem, Ask::Stage, memory)?;
         rounds += 1;
         if rounds == MOST_ROUNDS_OF_BEARINGS || !assembly.press_by_loads(&found.reactions, 1.0)? {
             return Ok(found);
@@ -226,7 +228,7 @@ struct Laws<'a> {
 }
 
 impl<'a> Laws<'a> {
-    /// Those of so many contacts, of which these have friction.
+    /// Those of so many contacts, of which these have friction. Rows of joints hold whatever a law says.
     fn new(assembly: &Assembly, (contacts, friction): (usize, &'a [FrictionContact])) -> Self {
         let mut next = NextRows::new(assembly, friction);
         let (mut blocks, mut sticking) = (Blocks::default(), Vec::new());
@@ -254,7 +256,6 @@ impl<'a> Laws<'a> {
                 blocks.resist(part_of(resisted.turn), resistance, own_rows);
             }
         }
-        blocks.hold(assembly.joint_rows());
         Self { blocks, sticking }
     }
 

@@ -28,7 +28,7 @@ use crate::tier::smooth_rates::{add, add_outside_rates, free_rates};
 use polhode_contact::{ContactGeometry, ContactKinematics};
 use polhode_dynamics::state::{ANGULAR_MOMENTUM, LINEAR_VELOCITY, WIDTH};
 use polhode_dynamics::{BodyState, RigidBody, System};
-use polhode_response::ResponseError;
+use polhode_response::{Memory, ResponseError};
 use polhode_spatial::DVec3;
 
 /// Number of components after those of the bodies: momentum and energy from external agents.
@@ -74,6 +74,8 @@ pub(super) struct ContactSystem<'a> {
     contacts: Vec<(ContactId, ContactKinematics)>,
     /// Those of them with friction.
     friction: Vec<FrictionContact>,
+    /// Room of the solvers.
+    memory: Memory,
     /// For each body of the group, the sums of the magnitudes of contact forces (N) and of their moments (N m), the
     /// largest of all stages so far. The rounding error of the resultant is proportional to these sums.
     cancelling: Vec<[f64; 2]>,
@@ -101,6 +103,7 @@ impl<'a> ContactSystem<'a> {
             states,
             contacts: Vec::with_capacity(active.held().len()),
             friction: Vec::new(),
+            memory: Memory::default(),
             cancelling: vec![[0.0; 2]; bodies.len()],
             has_begun: false,
             violation_at_start: None,
@@ -217,12 +220,12 @@ impl<'a> ContactSystem<'a> {
     }
 
     /// Forces of the held contacts and bilateral constraints at the present states.
-    fn held_forces(&self, t: f64, loads: &Loads) -> Result<HeldForces, ResponseError> {
+    fn held_forces(&mut self, t: f64, loads: &Loads) -> Result<HeldForces, ResponseError> {
         if self.contacts.is_empty() && !self.model.joints.has_rows() {
             return Ok(HeldForces::default());
         }
         let at = (t, &*self.states);
-        held_forces::solve(self.model, at, self.bodies, &self.contacts, &self.friction, loads)
+        held_forces::solve(self.model, at, self.bodies, &self.contacts, &self.friction, loads, &mut self.memory)
     }
 
     /// Adds the forces to the rates one by one.
