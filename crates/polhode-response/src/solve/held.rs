@@ -7,6 +7,7 @@ use crate::error::{ResponseError, check_length};
 use crate::least_norm_hold::LeastNormHold;
 use crate::problem::ContactProblem;
 use crate::sliding::DEPENDENT_COLUMN;
+use crate::sparse::{ForestSolution, HeldForest};
 use std::ops::Range;
 
 /// The reactions of joints that hold against these constant terms: beside their trees, or with the matrix of all rows.
@@ -16,14 +17,25 @@ use std::ops::Range;
 #[cfg_attr(feature = "census", track_caller)]
 pub fn hold(rows: &ContactProblem, joints: Range<usize>, constants: &[f64]) -> Result<Vec<f64>, ResponseError> {
     let Some(forest) = way::trees(rows, joints) else { return Ok(hold_all(rows, constants)?.reactions) };
+    Ok(hold_beside(rows, &forest, constants, 0.0)?.forces)
+}
+
+/// The same where trees of joints are eliminated first, of rows that are open by this part of the size of their bodies.
+#[cfg_attr(feature = "census", track_caller)]
+pub(super) fn hold_beside(
+    rows: &ContactProblem,
+    forest: &HeldForest,
+    constants: &[f64],
+    opened: f64,
+) -> Result<ForestSolution, ResponseError> {
     let of_others = if forest.others().is_empty() {
         Vec::new()
     } else {
         let beside = forest.beside(rows);
-        let constants = forest.constants_beside(rows, constants)?;
-        LeastNormHold::factor_beside(&beside, 0.0)?.solve(&beside.delassus, &constants)?
+        let of_others = forest.constants_beside(rows, constants)?;
+        LeastNormHold::factor_beside(&beside, opened)?.solve(&beside.delassus, &of_others)?
     };
-    Ok(forest.with_others(rows, constants, &of_others)?.forces)
+    forest.with_others(rows, constants, &of_others)
 }
 
 /// Rows that hold as far as they can.

@@ -4,13 +4,13 @@
 //! removal moves bodies by thousands of times their gaps: what would move them by more than is allowed, or by much for
 //! next to nothing, is removed in part only.
 
+use super::held::hold_beside;
 use super::way;
 use crate::delassus::Delassus;
 use crate::dense::kernels::largest;
 use crate::error::ResponseError;
 use crate::least_norm_hold::LeastNormHold;
 use crate::problem::ContactProblem;
-use crate::sparse::HeldForest;
 use std::ops::Range;
 
 /// A removal of negligible values that changes bodies by more than this many times the largest of them (no unit) must
@@ -56,9 +56,10 @@ pub fn remove(
 ) -> Result<Removed, ResponseError> {
     let change_by = |reactions: &[f64]| Ok::<_, ResponseError>(change_of(&rows.response(reactions)?));
     if let Some(forest) = way::trees(rows, joints) {
-        let of_trees = beside_trees(rows, &forest, values, limits.opened)?;
-        if of_trees.is_effective && change_by(&of_trees.reactions)? <= limits.allowed {
-            return Ok(Removed { reactions: of_trees.reactions, is_partial: false });
+        let found = hold_beside(rows, &forest, values, limits.opened)?;
+        let is_effective = largest(&found.rates) <= EFFECTIVE_REMAINDER * largest(values);
+        if is_effective && change_by(&found.forces)? <= limits.allowed {
+            return Ok(Removed { reactions: found.forces, is_partial: false });
         }
     }
     let Limits { allowed, negligible, opened } = limits;
@@ -83,28 +84,4 @@ pub fn remove(
 fn is_effective(delassus: &Delassus, reactions: &[f64], values: &[f64]) -> Result<bool, ResponseError> {
     let left: Vec<f64> = delassus.times(reactions)?.iter().zip(values).map(|(given, value)| given + value).collect();
     Ok(largest(&left) <= EFFECTIVE_REMAINDER * largest(values))
-}
-
-/// Reactions found where trees of joints are eliminated first.
-struct BesideTrees {
-    reactions: Vec<f64>,
-    is_effective: bool,
-}
-
-fn beside_trees(
-    rows: &ContactProblem,
-    forest: &HeldForest,
-    values: &[f64],
-    opened: f64,
-) -> Result<BesideTrees, ResponseError> {
-    let of_others = if forest.others().is_empty() {
-        Vec::new()
-    } else {
-        let beside = forest.beside(rows);
-        let of_others = forest.constants_beside(rows, values)?;
-        LeastNormHold::factor_beside(&beside, opened)?.solve(&beside.delassus, &of_others)?
-    };
-    let found = forest.with_others(rows, values, &of_others)?;
-    let is_effective = largest(&found.rates) <= EFFECTIVE_REMAINDER * largest(values);
-    Ok(BesideTrees { reactions: found.forces, is_effective })
 }
