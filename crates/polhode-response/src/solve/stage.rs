@@ -27,12 +27,11 @@ pub(super) fn solve(problem: &RowProblem<'_>, blocks: &Blocks, memory: &mut Memo
     let held = rows.len().saturating_sub(sliding.len());
     let constants = problem.constants.get(..held).unwrap_or(problem.constants);
     if sliding.is_empty() {
-        let least = match way::trees(rows, problem.joints.clone()) {
-            Some(forest) => beside(problem, &forest)?,
-            None => {
-                rows.delassus_into(&mut memory.delassus);
-                least_norm_forces(rows, &memory.delassus, constants)?
-            }
+        let least = if let Some(forest) = way::trees(rows, problem.joints.clone()) {
+            beside(problem, &forest)?
+        } else {
+            rows.delassus_into(&mut memory.delassus);
+            least_norm_forces(rows, &memory.delassus, constants)?
         };
         return Ok(Answer::from(least));
     }
