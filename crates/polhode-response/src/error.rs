@@ -134,6 +134,14 @@ pub enum ResponseError {
         /// How many there are.
         found: usize,
     },
+    /// A row is in no block, or in several.
+    #[error("row {row} is in {blocks} blocks: each row is in one, since its law is said there")]
+    BlocksOfRow {
+        /// The row.
+        row: usize,
+        /// How many blocks it is in.
+        blocks: usize,
+    },
     /// A solver without friction is given a block with friction.
     #[error("the block of row {row} has friction: `solve` takes it, solvers without friction do not")]
     HasFriction {

@@ -162,6 +162,19 @@ impl Blocks {
         check_length("rows of blocks", self.laws.iter().map(|law| law.rows()).sum(), self.rows.len())
     }
 
+    /// That each of so many rows is in one block.
+    ///
+    /// # Errors
+    /// The first row that is in none, or in several.
+    pub(crate) fn check_whole(&self, rows: usize) -> Result<(), ResponseError> {
+        let mut counts = vec![0; rows];
+        for row in &self.rows {
+            counts[*row] += 1;
+        }
+        let wrong = counts.iter().position(|count| *count != 1);
+        wrong.map_or(Ok(()), |row| Err(ResponseError::BlocksOfRow { row, blocks: counts[row] }))
+    }
+
     /// How many of them are contacts.
     pub(crate) fn contacts(&self) -> usize {
         self.laws.iter().filter(|law| law.pushes()).count()

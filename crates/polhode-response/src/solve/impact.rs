@@ -1,7 +1,7 @@
 //! Impacts: rows that approach are struck by a law of restitution, with friction or without.
 
 use super::problem::Memory;
-use crate::error::ResponseError;
+use crate::error::{ResponseError, check_length};
 use crate::friction::Blocks;
 use crate::impact::friction::reversal::reversal;
 use crate::impact::friction::{
@@ -102,6 +102,10 @@ pub struct StruckBlocks {
 #[cfg_attr(feature = "census", track_caller)]
 pub fn strike_blocks(impact: &BlockImpact<'_>, blow: Blow<'_>) -> Result<StruckBlocks, ResponseError> {
     let BlockImpact { rows, blocks, before, .. } = *impact;
+    check_length("restitution of contacts", blocks.contacts(), impact.restitution.len())?;
+    if let Blow::Jam(accelerations) = blow {
+        check_length("accelerations of rows", rows.len(), accelerations.len())?;
+    }
     let delassus = rows.delassus();
     let settings = settings_for(impact);
     let mut restitution = impact.restitution.to_vec();

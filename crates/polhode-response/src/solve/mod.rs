@@ -57,14 +57,19 @@ use crate::friction::Blocks;
 #[cfg_attr(feature = "census", track_caller)]
 pub fn solve(problem: &RowProblem<'_>, ask: Ask<'_>, memory: &mut Memory) -> Result<Answer, ResponseError> {
     check_finite("constant terms", problem.constants)?;
+    let rows = problem.rows.len();
+    if let Some(row) = problem.joints.end.checked_sub(1).filter(|row| *row >= rows) {
+        return Err(ResponseError::UnknownRow { row, rows });
+    }
     if let Some(blocks) = problem.blocks {
-        blocks.check(problem.rows.len())?;
+        blocks.check(rows)?;
     }
     if let (Ask::Stage, Some(blocks)) = (ask, problem.blocks) {
         return stage::solve(problem, blocks, memory);
     }
-    check_length("constant terms", problem.rows.len(), problem.constants.len())?;
+    check_length("constant terms", rows, problem.constants.len())?;
     if let Some(blocks) = problem.blocks {
+        blocks.check_whole(rows)?;
         return of_blocks(problem, blocks, ask, memory);
     }
     if problem.rows.has_friction() {

@@ -251,17 +251,23 @@ mod tests {
         problem
     }
 
+    /// The answer from no reactions, and the factorisations that it took.
+    fn solved(problem: &BodyProblem) -> (Iterate, usize) {
+        let (elimination, measure) = (Elimination::of(problem), Measure::of(problem));
+        let mut best = Iterate::default();
+        best.take(problem, &measure, &vec![0.0; problem.rows()]);
+        let mut system = BodySystem::default();
+        let limits = NewtonLimits { most: 60, patience: 3, tolerance: 1e-9 };
+        AugmentedLagrangian::new(problem, &elimination, &measure).run(&mut system, &mut best, limits);
+        (best, system.factorisations)
+    }
+
     #[test]
     fn what_pushes_does_not_move_and_what_parts_does_not_push() {
         for (boxes, gap) in [(1, 0.0), (10, 0.0), (40, 0.0), (10, 1e-3), (40, 0.3)] {
             let problem = column(boxes, gap);
-            let (elimination, measure) = (Elimination::of(&problem), Measure::of(&problem));
-            let mut best = Iterate::default();
-            best.take(&problem, &measure, &vec![0.0; problem.rows()]);
-            let mut system = BodySystem::default();
-            let limits = NewtonLimits { most: 60, patience: 3, tolerance: 1e-9 };
-            AugmentedLagrangian::new(&problem, &elimination, &measure).run(&mut system, &mut best, limits);
-            assert!(best.rank <= 1e-9, "{boxes} boxes, {gap}: {:e} by {}", best.rank, system.factorisations);
+            let (best, factorisations) = solved(&problem);
+            assert!(best.rank <= 1e-9, "{boxes} boxes, {gap}: {:e} by {factorisations}", best.rank);
             let largest = best.reactions.iter().fold(0.0, |most: f64, r| most.max(*r));
             for (r, u) in best.reactions.iter().zip(&best.rates) {
                 assert!(*r >= 0.0 && *u >= -1e-8 * largest && r * u <= 1e-8 * largest * largest, "{r} {u}");
@@ -273,13 +279,8 @@ mod tests {
     fn steps_do_not_grow_with_the_rows() {
         for boxes in [10, 40, 160] {
             let problem = column(boxes, 0.3);
-            let (elimination, measure) = (Elimination::of(&problem), Measure::of(&problem));
-            let mut best = Iterate::default();
-            best.take(&problem, &measure, &vec![0.0; problem.rows()]);
-            let mut system = BodySystem::default();
-            let limits = NewtonLimits { most: 60, patience: 3, tolerance: 1e-9 };
-            AugmentedLagrangian::new(&problem, &elimination, &measure).run(&mut system, &mut best, limits);
-            assert!(best.rank <= 1e-9 && system.factorisations <= 15, "{boxes}: {} steps", system.factorisations);
+            let (best, factorisations) = solved(&problem);
+            assert!(best.rank <= 1e-9 && factorisations <= 15, "{boxes}: {factorisations} steps");
         }
     }
 

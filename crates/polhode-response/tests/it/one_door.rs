@@ -127,6 +127,12 @@ fn a_box_that_falls_flat_leaves_at_its_restitution() {
         threshold: None,
     };
     let struck = strike_blocks(&impact, Blow::Collision).unwrap();
+    for restitution in [&[0.5][..], &[0.5; 3]] {
+        let refused = strike_blocks(&BlockImpact { restitution, ..impact }, Blow::Collision);
+        assert!(matches!(refused, Err(ResponseError::Length { expected: 2, .. })), "{refused:?}");
+    }
+    let refused = strike_blocks(&impact, Blow::Jam(&[0.0; 3]));
+    assert!(matches!(refused, Err(ResponseError::Length { expected: 4, found: 3, .. })), "{refused:?}");
     assert_eq!(struck.outcome.status, MultipleImpactStatus::Separated);
     let after: Vec<f64> = before.iter().zip(&struck.changes).map(|(before, change)| before + change).collect();
     for (found, expected) in after.iter().zip([0.5, 0.5, 0.0, 0.0]) {
@@ -197,6 +203,18 @@ fn what_is_no_problem_is_refused_or_said_to_be_unsolved() {
         let empty = ask(&none, &Blocks::default(), &[], of).unwrap();
         assert!(empty.reactions.is_empty(), "{of:?}: {empty:?}");
     }
+    // A row without a block would be held by one method and left alone by another; so would one in two blocks.
+    let mut half = Blocks::default();
+    half.push(Law::Cone { rows: 2, friction: 0.5 }, [0, 2]);
+    let mut twice = feet(|| Law::Cone { rows: 2, friction: 0.5 });
+    twice.push(Law::Push, [0]);
+    for (blocks, row, count) in [(half, 1, 0), (twice, 0, 2)] {
+        let found = ask(&problem, &blocks, &[0.0; 4], Ask::Instant);
+        assert_eq!(found, Err(ResponseError::BlocksOfRow { row, blocks: count }));
+    }
+    let beyond = RowProblem { joints: 0..9, ..RowProblem::new(&problem, &[0.0; 4]) };
+    let found = solve(&beyond, Ask::Displacement { accuracy: 1e-9 }, &mut Memory::default());
+    assert_eq!(found, Err(ResponseError::UnknownRow { row: 8, rows: 4 }));
     // Two rows of one body that ask for different velocities: no reactions keep both.
     let mut torn = ContactProblem::new(1, vec![1.0]).unwrap();
     for _ in 0..2 {
