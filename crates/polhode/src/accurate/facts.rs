@@ -42,6 +42,7 @@ pub(crate) const FACTS: TierFacts = TierFacts {
         TierFeature::PivotRows,
         TierFeature::ConstrainedRk4,
         TierFeature::PlanarFriction,
+        TierFeature::PlanarGroups,
         TierFeature::CrowdedStretches,
         TierFeature::ReducedCoordinates,
     ],

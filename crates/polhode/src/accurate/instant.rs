@@ -2,10 +2,13 @@
 
 use super::contact_change::ContactChange;
 use super::pace::NoAdvance;
+use crate::collision::contact_set;
 use crate::collision::touch::{Hold, Touch};
 use crate::error::SimulationError;
 use crate::identity::contact_id::ContactId;
+use crate::model::{Model, tolerances};
 use crate::tier::core::Core;
+use polhode_dynamics::BodyState;
 use polhode_spatial::DVec3;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -52,6 +55,19 @@ impl Instant {
             speed_scale: self.speed_scale,
             bodies,
         }
+    }
+
+    /// Bodies in planar motion that touch others are simulated in space from now on. Returns them.
+    pub(super) fn release_from_plane(&self, model: &mut Model, states: &[BodyState]) -> BTreeSet<usize> {
+        let mut released = BTreeSet::new();
+        let touch = |model: &Model, (a, b): (usize, usize)| {
+            let reach = tolerances::touch_distance(model, states, a, b);
+            model.planar.part((a, b)) && !contact_set::pair(model, states, a, b, reach).contacts.is_empty()
+        };
+        while let Some(&pair) = self.pairs.iter().find(|&&pair| touch(model, pair)) {
+            released.extend(model.planar.meet(&[pair]));
+        }
+        released
     }
 
     /// Pairs with a held contact.

@@ -263,7 +263,7 @@ impl Motions {
             _ if model.joints.is_held_by_rows(body) => Mode::Constrained,
             _ if core.settings.flies() && !model.is_loaded(body) => {
                 // In planar motion the rotation is about a principal axis; rounding errors of the axis must not grow.
-                let record = if model.plane.is_some() { Flight::steady } else { Flight::new };
+                let record = if model.planar.contains(body) { Flight::steady } else { Flight::new };
                 Mode::Flight(Box::new(record(rigid, t, &self.states[body], model.free_acceleration(body))))
             }
             Integrator::Dop853 => Mode::Constrained,

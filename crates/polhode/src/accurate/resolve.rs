@@ -93,7 +93,8 @@ impl Resolution<'_> {
     pub(super) fn resolve(&mut self) -> Result<(), SimulationError> {
         self.let_go_at_ends_of_tracks()?;
         let held_before = self.instant.held_pairs();
-        let passing = self.detect();
+        let released = self.instant.release_from_plane(&mut self.core.model, &self.motions.states);
+        let passing = self.detect(&released);
         self.lift_onto_faces(&passing);
         self.strike_approaching()?;
         let broken: Vec<usize> = std::mem::take(&mut self.instant.change.breaking).into_iter().collect();
@@ -108,14 +109,14 @@ impl Resolution<'_> {
         Ok(())
     }
 
-    /// Finds the contacts of all pairs that touched or are near each other, except between bodies that have not moved.
-    /// Returns the pairs that pass each other along a face, ascending.
-    fn detect(&mut self) -> Vec<(usize, usize)> {
+    /// Finds the contacts of all pairs that touched or are near each other, except between bodies that have not moved
+    /// and are not `released` from their plane. Returns the pairs that pass each other along a face, ascending.
+    fn detect(&mut self, released: &BTreeSet<usize>) -> Vec<(usize, usize)> {
         let still = |body: usize| matches!(self.motions.tracks[body].mode, Mode::Rest | Mode::Fixed);
         let mut found = Vec::with_capacity(self.instant.touches.len());
         let mut passing = Vec::new();
         for &(a, b) in &self.instant.pairs {
-            if still(a) && still(b) {
+            if still(a) && still(b) && !released.contains(&a) && !released.contains(&b) {
                 found.extend(self.instant.touches.iter().filter(|touch| (touch.id.a, touch.id.b) == (a, b)).copied());
                 continue;
             }

@@ -21,13 +21,13 @@ pub(crate) fn shapes(model: &Model, a: usize, b: usize) -> Option<(&Shape, &Shap
 /// Geometry of a contact, rate of its separation and bias of its acceleration in these states; none when its
 /// features no longer define a contact (edges have become parallel).
 pub(crate) fn kinematics(model: &Model, states: &[BodyState], id: ContactId) -> Option<ContactKinematics> {
-    kinematics_in_space(model, states, id).map(|kinematics| in_plane(model, kinematics))
+    kinematics_in_space(model, states, id).map(|kinematics| in_plane(model, id, kinematics))
 }
 
 /// A contact as it acts in planar motion: it represents its mirror image too, and the resultant of both acts in the
 /// plane.
-pub(crate) fn in_plane(model: &Model, mut kinematics: ContactKinematics) -> ContactKinematics {
-    if let Some(plane) = &model.plane {
+pub(crate) fn in_plane(model: &Model, id: ContactId, mut kinematics: ContactKinematics) -> ContactKinematics {
+    if let Some(plane) = model.planar.of_pair(id.a, id.b) {
         let geometry = &mut kinematics.geometry;
         geometry.point = plane.project_point(geometry.point);
         geometry.normal = plane.project_vector(geometry.normal);
@@ -87,7 +87,7 @@ pub(crate) fn tangential_kinematics(
         let [x, y] = terms.basis;
         terms.basis = [along, x.cross(y).cross(along)];
     }
-    if let Some(plane) = &model.plane {
+    if let Some(plane) = model.planar.of_pair(id.a, id.b) {
         let [x, y] = terms.basis;
         terms.basis = plane.tangents(x.cross(y));
         // Rounding may leave a slip out of the plane, which would turn the direction of one that ends.
@@ -99,7 +99,7 @@ pub(crate) fn tangential_kinematics(
 /// In planar motion: the vector from the plane to a contact point that represents its mirror image too, m. None for
 /// a point that is its own image, and in motion in space.
 pub(crate) fn mirrored(model: &Model, states: &[BodyState], id: ContactId) -> Option<DVec3> {
-    let plane = model.plane?;
+    let plane = model.planar.of_pair(id.a, id.b)?;
     let height = plane.height(kinematics_in_space(model, states, id)?.geometry.point);
     let distance = COUNTERPART_FRACTION * TOUCH_RELATIVE * tolerances::pair_size(model, id.a, id.b);
     (height.abs() > distance).then(|| plane.normal() * height)

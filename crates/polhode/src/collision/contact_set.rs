@@ -81,7 +81,10 @@ fn pair_of_joint_contacts(model: &Model, states: &[BodyState], pair: (usize, usi
     }
     let contacts = joint_contacts::joint_contacts_within(model, states, pair, reach).into_iter();
     let contacts: Vec<FoundContact> = contacts
-        .map(|found| FoundContact { kinematics: contact_kinematics::in_plane(model, found.kinematics), ..found })
+        .map(|found| FoundContact {
+            kinematics: contact_kinematics::in_plane(model, found.id, found.kinematics),
+            ..found
+        })
         .collect();
     let separations = contacts.iter().map(|found| found.kinematics.geometry.separation);
     Some(Pair { separation: separations.fold(f64::INFINITY, f64::min), contacts, is_passing: false })
@@ -154,11 +157,11 @@ fn within(
         geometry.separation <= reach
             && (geometry.margin >= border || passing.binary_search(&contact.id.feature).is_ok())
     };
-    let Some(plane) = &model.plane else { return found.into_iter().filter(within).collect() };
+    let Some(plane) = &model.planar.of_pair(a, b) else { return found.into_iter().filter(within).collect() };
     let distance = COUNTERPART_FRACTION * TOUCH_RELATIVE * tolerances::pair_size(model, a, b);
     let is_counted = |contact: &&FoundContact| is_counted(plane, contact.kinematics.geometry.point, &found, distance);
     let in_motion = |contact: &FoundContact| FoundContact {
-        kinematics: contact_kinematics::in_plane(model, contact.kinematics),
+        kinematics: contact_kinematics::in_plane(model, contact.id, contact.kinematics),
         ..*contact
     };
     found.iter().filter(is_counted).map(in_motion).filter(within).collect()

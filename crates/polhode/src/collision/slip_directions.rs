@@ -37,7 +37,7 @@ impl SlipDirections {
     }
 }
 
-/// The directions in which bodies may slip on each other.
-pub(crate) fn slip_directions(model: &Model) -> SlipDirections {
-    if model.plane.is_some() { SlipDirections::First } else { SlipDirections::Both }
+/// The directions in which two bodies may slip on each other.
+pub(crate) fn slip_directions(model: &Model, (a, b): (usize, usize)) -> SlipDirections {
+    if model.planar.of_pair(a, b).is_some() { SlipDirections::First } else { SlipDirections::Both }
 }

@@ -32,7 +32,7 @@ impl Turn {
         let friction = friction::rotational_friction_of(model, a, b)?;
         let length = match self {
             Self::Rolling => friction.rolling,
-            Self::Spinning if slip_directions::slip_directions(model) == SlipDirections::First => return None,
+            Self::Spinning if slip_directions::slip_directions(model, (a, b)) == SlipDirections::First => return None,
             Self::Spinning => friction.spinning,
         };
         (length > 0.0).then_some(length)

@@ -18,7 +18,7 @@ use crate::identity::stop_id::StopId;
 use crate::model::envelope::CollisionEnvelope;
 use crate::model::narrow_phase::NarrowPhase;
 use crate::model::pivot_form::{PivotForm, PivotRows};
-use crate::model::plane_of_motion::PlaneOfMotion;
+use crate::model::plane_of_motion::PlanarBodies;
 use crate::model::prescribed_state;
 use crate::scene::{Body, Joint, MovingFrames, Scene, SceneError};
 use polhode_dynamics::{BodyState, RigidBody};
@@ -47,8 +47,8 @@ pub(crate) struct Model {
     /// The envelope of micro-collisions, of a tier that has them.
     pub(crate) envelope: Option<CollisionEnvelope>,
     pub(crate) narrow_phase: NarrowPhase,
-    /// The plane of the motion, when the motion is planar.
-    pub(crate) plane: Option<PlaneOfMotion>,
+    /// The bodies whose motion is planar.
+    pub(crate) planar: PlanarBodies,
 }
 
 impl Model {
@@ -100,7 +100,7 @@ impl Model {
             surfaces: Surfaces::of(scene),
             envelope: None,
             narrow_phase: NarrowPhase::default(),
-            plane: None,
+            planar: PlanarBodies::default(),
         };
         model.make_joints(&states);
         let velocities: Vec<_> = states.iter().enumerate().map(|(body, state)| model.velocity(body, state)).collect();
@@ -247,17 +247,17 @@ impl Model {
         self.movable.binary_search(&body).ok()
     }
 
-    /// Confines the motion to a plane, if one is given.
-    pub(crate) fn confine_to_plane(&mut self, plane: Option<PlaneOfMotion>, states: &mut [BodyState]) {
-        self.plane = plane;
+    /// Confines the motion of bodies to their plane.
+    pub(crate) fn confine_to_plane(&mut self, planar: PlanarBodies, states: &mut [BodyState]) {
+        self.planar = planar;
         for body in 0..states.len() {
             self.keep_in_plane(body, &mut states[body]);
         }
     }
 
-    /// Removes from the state of a movable body what rounding has put outside the plane of a planar motion.
+    /// Removes from the state of a body in planar motion what rounding has put outside its plane.
     pub(crate) fn keep_in_plane(&self, body: usize, state: &mut BodyState) {
-        if let Some(plane) = self.plane.filter(|_| self.bodies[body].moves()) {
+        if let Some(plane) = self.planar.of_group(&[body]) {
             plane.project_state(state);
         }
     }

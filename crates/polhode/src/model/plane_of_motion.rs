@@ -1,5 +1,9 @@
-//! The plane of a planar motion, and the coordinates of velocities in it: two of the velocity in the plane, one of the
-//! angular velocity about its normal. `planar.rs` finds out whether a motion is planar.
+//! The plane of a planar motion, the coordinates of velocities in it (two of the velocity in the plane, one of the
+//! angular velocity about its normal), and the bodies that move in it. `planar.rs` finds out which these are.
+//!
+//! What holds for bodies in the plane holds as long as they meet no others ([`PlanarBodies::meet`]): a body whose
+//! motion is not its own mirror image pushes those that it touches out of the plane, and these push others. A tier asks
+//! before it looks for contacts.
 
 use polhode_dynamics::BodyState;
 use polhode_spatial::DVec3;
@@ -64,5 +68,114 @@ impl PlaneOfMotion {
         state.pose.translation = self.project_point(state.pose.translation);
         state.linear_velocity = self.project_vector(state.linear_velocity);
         state.angular_momentum = self.normal * self.normal.dot(state.angular_momentum);
+    }
+}
+
+/// How a body stands to the plane of motion.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Membership {
+    /// It moves in the plane.
+    InPlane,
+    /// Forces do not move it, and it is its own mirror image.
+    OwnImage,
+    /// Its motion or shape is not its own mirror image.
+    Outside,
+}
+
+/// The bodies that move in the plane of a planar motion.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub(crate) struct PlanarBodies {
+    plane: Option<PlaneOfMotion>,
+    /// Of each body; a body that was added later is outside.
+    members: Vec<Membership>,
+}
+
+impl PlanarBodies {
+    /// Those of a plane.
+    pub(crate) fn new(plane: PlaneOfMotion, members: Vec<Membership>) -> Self {
+        Self { plane: Some(plane), members }
+    }
+
+    /// The plane, if any body moves in it.
+    pub(crate) fn plane(&self) -> Option<PlaneOfMotion> {
+        self.plane
+    }
+
+    /// How a body stands to the plane.
+    pub(crate) fn membership(&self, body: usize) -> Membership {
+        self.members.get(body).copied().unwrap_or(Membership::Outside)
+    }
+
+    /// Whether a body moves in the plane.
+    pub(crate) fn contains(&self, body: usize) -> bool {
+        self.plane.is_some() && self.membership(body) == Membership::InPlane
+    }
+
+    /// The bodies that move in the plane, ascending.
+    pub(crate) fn bodies(&self) -> impl Iterator<Item = usize> + '_ {
+        (0..self.members.len()).filter(|&body| self.contains(body))
+    }
+
+    /// The plane of a contact of two bodies: of those of which one moves in it and neither is outside.
+    pub(crate) fn of_pair(&self, a: usize, b: usize) -> Option<PlaneOfMotion> {
+        let plane = self.plane?;
+        let members = [a, b].map(|body| self.membership(body));
+        (members.contains(&Membership::InPlane) && !members.contains(&Membership::Outside)).then_some(plane)
+    }
+
+    /// The plane in which all of these movable bodies move.
+    pub(crate) fn of_group(&self, bodies: &[usize]) -> Option<PlaneOfMotion> {
+        self.plane.filter(|_| bodies.iter().all(|&body| self.contains(body)))
+    }
+
+    /// Whether one of two bodies moves in the plane and the other is outside: where they touch the motion of the former
+    /// leaves the plane.
+    pub(crate) fn part(&self, (a, b): (usize, usize)) -> bool {
+        let members = [a, b].map(|body| self.membership(body));
+        self.plane.is_some() && members.contains(&Membership::InPlane) && members.contains(&Membership::Outside)
+    }
+
+    /// Bodies in the plane meet others at these pairs: they are outside from now on, and so are those in the plane that
+    /// they meet in turn. Returns them.
+    pub(crate) fn meet(&mut self, pairs: &[(usize, usize)]) -> Vec<usize> {
+        let mut met = Vec::new();
+        while let Some(&(a, b)) = pairs.iter().find(|&&pair| self.part(pair)) {
+            let inside = if self.contains(a) { a } else { b };
+            self.release(&[inside]);
+            met.push(inside);
+        }
+        met
+    }
+
+    /// These bodies are outside from now on.
+    pub(crate) fn release(&mut self, bodies: &[usize]) {
+        for &body in bodies {
+            if let Some(membership) = self.members.get_mut(body) {
+                *membership = Membership::Outside;
+            }
+        }
+        if !self.members.contains(&Membership::InPlane) {
+            self.plane = None;
+        }
+    }
+
+    /// The same of which only these bodies move in the plane still.
+    pub(crate) fn restored(&self, in_plane: &[usize]) -> Self {
+        let gone: Vec<usize> = self.bodies().filter(|body| !in_plane.contains(body)).collect();
+        let mut restored = self.clone();
+        restored.release(&gone);
+        restored
+    }
+
+    /// Those that are among `others` too, in the same plane.
+    pub(crate) fn among(&self, others: &Self) -> Self {
+        if self.plane != others.plane {
+            return Self::default();
+        }
+        let gone: Vec<usize> =
+            (0..self.members.len()).filter(|&body| others.membership(body) == Membership::Outside).collect();
+        let mut both = self.clone();
+        both.release(&gone);
+        both
     }
 }

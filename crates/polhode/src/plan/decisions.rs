@@ -144,6 +144,13 @@ impl Plan {
 }
 
 impl Plan {
+    /// The same plan with another decision about planar motion.
+    pub(crate) fn with_planar(&self, found: &PlanarFinding) -> Self {
+        let planar = planar_decision(found);
+        let effects = self.effects.iter().map(|own| if own.effect == planar.effect { &planar } else { own });
+        Self { effects: effects.cloned().collect(), ..self.clone() }
+    }
+
     /// The decisions that differ from an earlier plan, in words.
     pub(crate) fn changes_from(&self, before: &Self) -> Vec<String> {
         let mut changes = Vec::new();
@@ -300,16 +307,7 @@ fn motion_decisions(model: &Model, settings: &Settings, findings: &Findings) -> 
         ),
         rotation_decision(model),
         steady_decision(model),
-        decision(
-            Effect::PlanarMotion,
-            planar.plane.is_some(),
-            planar.fact.clone(),
-            if planar.plane.is_some() {
-                "three of six velocity components a body, and one of every two mirrored contacts"
-            } else {
-                "nothing"
-            },
-        ),
+        planar_decision(planar),
         decision(
             Effect::BallisticFlight,
             flying > 0,
@@ -317,6 +315,16 @@ fn motion_decisions(model: &Model, settings: &Settings, findings: &Findings) -> 
             "all steps of a free flight: one evaluation, without an error of integration",
         ),
     ]
+}
+
+fn planar_decision(found: &PlanarFinding) -> EffectDecision {
+    let is_on = found.planar.plane().is_some();
+    let saves = if is_on {
+        "three of six velocity components a body, and one of every two mirrored contacts"
+    } else {
+        "nothing"
+    };
+    decision(Effect::PlanarMotion, is_on, found.fact.clone(), saves)
 }
 
 /// Effects of contact: of shapes, and of joints at their limits.

@@ -1,12 +1,12 @@
-//! Planar motion: finds out whether the motion of a scene stays in a plane.
+//! Planar motion: finds the bodies of a scene whose motion stays in a plane.
 //!
-//! Let one plane be a plane of mirror symmetry of every body, shape and mass, and of velocities, gravity and fixed
-//! bodies. The motion of frictionless bodies is unique (erratum E14), and the mirror image of a motion is a motion too.
-//! So the motion is its own mirror image and stays in the plane. Each body then has two velocity components in the
-//! plane and one angular velocity about its normal, and of two contacts that are mirror images of each other one
-//! suffices: an answer to the thesis's "under what conditions we can model a simulation using the 2D equations". In
-//! space the same motion takes twice the contacts and twice the unknowns, and rounding may lead out of the plane, which
-//! an unstable motion amplifies.
+//! Let one plane be a plane of mirror symmetry of some bodies, shape and mass, and of their velocities, of gravity and
+//! of the fixed bodies that they touch. The motion of frictionless bodies is unique (erratum E14), and the mirror image
+//! of a motion is a motion too. So the motion is its own mirror image and stays in the plane. Each body then has two
+//! velocity components in the plane and one angular velocity about its normal, and of two contacts that are mirror
+//! images of each other one suffices: an answer to the thesis's "under what conditions we can model a simulation using
+//! the 2D equations". In space the same motion takes twice the contacts and twice the unknowns, and rounding may lead
+//! out of the plane, which an unstable motion amplifies.
 //!
 //! With friction a motion need not be unique. The mirror image of Coulomb's law is the same law: where the motion is
 //! unique it keeps its symmetry, and where it is not, the plane has one of the motions that space has. A contact and
@@ -15,245 +15,274 @@
 //! convex bodies, or prisms along the normal of the plane, since two edges of other bodies may touch with normals that
 //! lean out of it, where friction wedges bodies in ways that one interval does not have.
 //!
+//! Bodies on which joints or force fields act, that a motion carries, or that are not their own mirror images, are
+//! outside of the plane. They change nothing as long as they touch none of the others; those that they touch leave the
+//! plane ([`PlanarBodies::meet`]). So a joint somewhere decides nothing about a pile elsewhere.
+//!
 //! Assumption: the laws treat all contacts of an instant alike. Propagation, which strikes one contact after the other,
 //! breaks the mirror symmetry; so do the forces of a linear programme. Fails: never; a scene without such a plane is
 //! simulated in space.
 
-use crate::collision::moving_surfaces;
-use crate::model::plane_of_motion::PlaneOfMotion;
-use crate::model::{Model, ModelBody};
+use crate::collision::contact_set;
+use crate::model::plane_of_motion::{Membership, PlanarBodies, PlaneOfMotion};
+use crate::model::{Model, tolerances};
+use crate::plan::mirror_image::{Defect, Form, SYMMETRY_RELATIVE};
 use crate::scene::settings::Settings;
 use crate::scene::tier_facts::TierFeature;
 use crate::scene::{ContactMethod, ImpactLaw, Integrator, IntegratorChoice, Response};
-use polhode_contact::{Shape, is_prism_along, mirror_defect};
 use polhode_dynamics::BodyState;
-use polhode_spatial::{DVec3, UnitVector};
+use polhode_spatial::DVec3;
+use std::cmp::Reverse;
+use std::collections::BTreeMap;
+use std::fmt::Write;
 
-/// Largest defect of symmetry, relative to the size of the quantity measured: the rounding of poses and mass
-/// properties.
-const SYMMETRY_RELATIVE: f64 = 32.0 * f64::EPSILON;
-
-/// Whether the motion of a scene is planar, with the measured fact that decides it.
+/// The bodies of a scene whose motion is planar, with the measured fact that decides it.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct PlanarFinding {
-    pub(crate) plane: Option<PlaneOfMotion>,
+    pub(crate) planar: PlanarBodies,
     pub(crate) fact: String,
 }
 
 impl PlanarFinding {
     pub(crate) fn off(fact: impl Into<String>) -> Self {
-        Self { plane: None, fact: fact.into() }
+        Self { planar: PlanarBodies::default(), fact: fact.into() }
+    }
+
+    /// That of the bodies which are in planar motion at present.
+    pub(crate) fn of(model: &Model) -> Self {
+        let (moving, all) = (model.planar.bodies().count(), model.movable.len());
+        let fact = format!("{moving} of {all} bodies that move are in planar motion, and have met no others");
+        Self { planar: model.planar.clone(), fact }
     }
 }
 
-/// Looks for a plane of symmetry of the scene in these states.
+/// Looks for a plane of symmetry of bodies of the scene in these states: the one in which most of them move.
 pub(crate) fn find(model: &Model, states: &[BodyState], settings: &Settings) -> PlanarFinding {
-    if !model.bodies.iter().any(ModelBody::moves) {
-        return PlanarFinding::off("no body moves");
+    if let Some(fact) = forbidden(model, settings) {
+        return PlanarFinding::off(fact);
     }
-    if !model.prescribed.is_empty() {
-        return PlanarFinding::off("the motion of a body is prescribed, and its symmetry is not examined");
+    let inside: Vec<usize> = model.movable.iter().copied().filter(|&body| reason(model, body).is_none()).collect();
+    let bodies_outside = || (0..model.bodies.len()).filter_map(|body| reason(model, body));
+    let is_of_groups = settings.takes(TierFeature::PlanarGroups);
+    if let Some(fact) = bodies_outside().next().filter(|_| inside.is_empty() || !is_of_groups) {
+        return PlanarFinding::off(fact);
+    }
+    let mut best: Option<Trial> = None;
+    for normal in candidates(model, states, &inside) {
+        let trial = Trial::of(model, states, normal, &inside);
+        if best.as_ref().is_none_or(|best| trial.is_better_than(best)) {
+            best = Some(trial);
+        }
+    }
+    let Some(trial) = best else { return PlanarFinding::off("no mirror plane: no plane to try") };
+    trial.finding(model, is_of_groups)
+}
+
+/// Why no motion of the scene is simulated in a plane, whatever the symmetry of its bodies.
+fn forbidden(model: &Model, settings: &Settings) -> Option<&'static str> {
+    if model.movable.is_empty() {
+        return Some("no body moves");
     }
     if settings.response == Response::Penalty {
-        return PlanarFinding::off("springs at two mirror images of a contact are not one spring");
+        return Some("springs at two mirror images of a contact are not one spring");
     }
     if model.has_friction() && !settings.takes(TierFeature::PlanarFriction) {
-        return PlanarFinding::off("contacts have friction, which this tier solves for in space");
+        return Some("contacts have friction, which this tier solves for in space");
     }
     if model.has_friction() && model.surfaces.have_grain() {
-        return PlanarFinding::off("friction has a grain, and its symmetry is not examined");
-    }
-    if model.has_loads() {
-        return PlanarFinding::off("force fields, pivots or joints act on bodies, and their symmetry is not examined");
+        return Some("friction has a grain, and its symmetry is not examined");
     }
     let keeps_symmetry =
         matches!(settings.integrator, Integrator::Exact | Integrator::ExactAdaptive | Integrator::Dop853);
     let is_own = matches!(settings.tier.facts().integrator_choice, IntegratorChoice::Tier { .. });
     if !is_own && !keeps_symmetry {
-        return PlanarFinding::off(
-            "the integrator that the scene names may not keep the symmetry: bodies move in space",
-        );
+        return Some("the integrator that the scene names may not keep the symmetry: bodies move in space");
     }
     let by_forces_alike = matches!(settings.contact, ContactMethod::ActiveSet | ContactMethod::Guesses);
-    if settings.impact == ImpactLaw::Propagation || !by_forces_alike {
-        return PlanarFinding::off(
-            "the impact law or the contact method does not treat all contacts alike, which breaks the symmetry",
-        );
-    }
-    let mut nearest: Option<Defect> = None;
-    for normal in candidates(model, states) {
-        let defect = measure(model, states, normal);
-        if defect.relative <= SYMMETRY_RELATIVE {
-            let fact = format!(
-                "every body is its own mirror image in the plane with normal ({}, {}, {}), with a relative defect of \
-                 {:.1e} (limit {:.1e})",
-                normal.x, normal.y, normal.z, defect.relative, SYMMETRY_RELATIVE
-            );
-            if let Some(fact) = leaning_contacts(model, states, normal) {
-                return PlanarFinding::off(fact);
-            }
-            let offset = plane_offset(model, states, normal);
-            return PlanarFinding { plane: Some(PlaneOfMotion::new(normal, offset)), fact };
-        }
-        if nearest.as_ref().is_none_or(|n| defect.relative < n.relative) {
-            nearest = Some(defect);
-        }
-    }
-    let nearest = nearest.map_or_else(|| "no plane to try".to_owned(), |d| d.to_string());
-    PlanarFinding::off(format!("no mirror plane: {nearest}"))
+    (settings.impact == ImpactLaw::Propagation || !by_forces_alike)
+        .then_some("the impact law or the contact method does not treat all contacts alike, which breaks the symmetry")
 }
 
-/// The largest defect of symmetry in a plane.
-#[derive(Debug, Clone, PartialEq)]
-struct Defect {
-    relative: f64,
-    what: String,
+/// Why the symmetry of a body is not examined; none where it is.
+fn reason(model: &Model, body: usize) -> Option<&'static str> {
+    if model.prescribed.binary_search(&body).is_ok() {
+        return Some("the motion of a body is prescribed, and its symmetry is not examined");
+    }
+    let is_loaded = model.bodies[body].moves() && model.is_loaded(body);
+    is_loaded.then_some("force fields, pivots or joints act on bodies, and their symmetry is not examined")
 }
 
-impl std::fmt::Display for Defect {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(f, "{} (relative defect {:.1e}, limit {:.1e})", self.what, self.relative, SYMMETRY_RELATIVE)
+/// Normals to try: the axis about which most of these bodies spin, the axes of the world, and those of the first of
+/// these bodies. Where a body spins its own axes are left out: normalising a spin about an axis of the world gives that
+/// axis to the last bit.
+fn candidates(model: &Model, states: &[BodyState], bodies: &[usize]) -> Vec<DVec3> {
+    let spin = |&body: &usize| model.velocity(body, &states[body]).angular;
+    let axes = bodies.iter().map(spin).filter_map(DVec3::try_normalize);
+    let mut spins: BTreeMap<[u64; 3], (usize, Reverse<usize>, DVec3)> = BTreeMap::new();
+    for (number, axis) in axes.enumerate() {
+        spins.entry(axis.to_array().map(f64::to_bits)).or_insert((0, Reverse(number), axis)).0 += 1;
     }
-}
-
-/// Normals to try: the axis of the first spin, or, when no body spins, the axes of the world and of the first movable
-/// body.
-fn candidates(model: &Model, states: &[BodyState]) -> Vec<DVec3> {
-    let spinning = (0..states.len()).map(|i| model.velocity(i, &states[i]).angular).find(|w| *w != DVec3::ZERO);
-    if let Some(axis) = spinning {
-        let axis = axis.normalize_or_zero();
-        // Normalising a spin about an axis of the world gives that axis to the last bit.
-        return if axis == DVec3::ZERO { Vec::new() } else { vec![axis] };
-    }
-    let mut normals = vec![DVec3::Y, DVec3::X, DVec3::Z];
-    if let Some(state) = states.iter().zip(&model.bodies).find(|(_, body)| body.moves()).map(|(state, _)| state) {
-        normals.extend([DVec3::Y, DVec3::X, DVec3::Z].map(|axis| state.pose.rotation.rotate(axis)));
+    let world = [DVec3::Y, DVec3::X, DVec3::Z];
+    let most = spins.values().max_by_key(|(count, first, _)| (*count, *first)).map(|(_, _, axis)| *axis);
+    let mut normals: Vec<DVec3> = most.into_iter().chain(world).collect();
+    if let Some(&first) = bodies.first().filter(|_| most.is_none()) {
+        normals.extend(world.map(|axis| states[first].pose.rotation.rotate(axis)));
     }
     normals
 }
 
-/// Offset of the plane, m: the plane passes through the first movable body.
-fn plane_offset(model: &Model, states: &[BodyState], normal: DVec3) -> f64 {
-    let first = states.iter().zip(&model.bodies).find(|(_, body)| body.moves());
-    first.map_or(0.0, |(state, _)| normal.dot(state.pose.translation))
+/// A plane, and how the bodies stand to it.
+struct Trial {
+    plane: PlaneOfMotion,
+    members: Vec<Membership>,
+    /// The largest defect of bodies that count as their own mirror images.
+    kept: f64,
+    /// The first thing that is not its own mirror image.
+    first_outside: Option<String>,
+    /// How large the defect of that is.
+    missed: f64,
 }
 
-/// The largest defect of symmetry in the plane with this normal: of the motions, and of the shapes where the motions
-/// have none.
-fn measure(model: &Model, states: &[BodyState], normal: DVec3) -> Defect {
-    let offset = plane_offset(model, states, normal);
-    let mut worst = Defect { relative: 0.0, what: String::new() };
-    let mut note = |defect: f64, size: f64, what: &dyn Fn() -> String| {
-        let relative = if defect == 0.0 { 0.0 } else { defect / size };
-        let relative = if relative.is_nan() { f64::INFINITY } else { relative };
-        if relative > worst.relative {
-            worst = Defect { relative, what: what() };
+impl Trial {
+    /// That of the plane with this normal in which most of these bodies (ascending) lie.
+    fn of(model: &Model, states: &[BodyState], normal: DVec3, inside: &[usize]) -> Self {
+        let offset = common_offset(model, states, normal, inside);
+        let members = vec![Membership::Outside; model.bodies.len()];
+        let plane = PlaneOfMotion::new(normal, offset);
+        let mut trial = Self { plane, members, kept: 0.0, first_outside: None, missed: f64::INFINITY };
+        let gravity = Defect::of_gravity(model.gravity(), normal);
+        if !trial.keeps(&gravity) {
+            return trial;
         }
-    };
-    let gravity = model.gravity();
-    note(gravity.dot(normal).abs(), gravity.length(), &|| "gravity is not parallel to the plane".to_owned());
-    for (number, (body, state)) in model.bodies.iter().zip(states).enumerate() {
-        let height = normal.dot(state.pose.translation) - offset;
-        if let Some(rigid) = &body.rigid {
-            let extent = body.size + state.pose.translation.abs().max_element();
-            note(height.abs(), extent, &|| format!("{} is not centred on the plane", body.name));
-            let velocity = rigid.velocity(state);
-            let speed = velocity.linear.length();
-            note(velocity.linear.dot(normal).abs(), speed, &|| format!("{} moves out of the plane", body.name));
-            let spin = velocity.angular;
-            note(spin.cross(normal).length(), spin.length(), &|| {
-                format!("{} does not turn about the normal of the plane", body.name)
+        for body in 0..model.bodies.len() {
+            if let Some(fact) = reason(model, body) {
+                trial.first_outside.get_or_insert_with(|| fact.to_owned());
+            } else if trial.keeps(&Defect::of_body(model, states, (normal, offset), body)) {
+                let moves = model.bodies[body].moves();
+                trial.members[body] = if moves { Membership::InPlane } else { Membership::OwnImage };
+            }
+        }
+        trial.leave_leaning(model, states, normal);
+        trial.leave_touching(model, states);
+        trial
+    }
+
+    /// Whether a defect is none; notes what has one.
+    fn keeps(&mut self, defect: &Defect) -> bool {
+        if defect.is_rounding() {
+            self.kept = self.kept.max(defect.relative);
+            return true;
+        }
+        if self.first_outside.is_none() || defect.relative > self.missed {
+            self.missed = defect.relative;
+            self.first_outside = Some(defect.to_string());
+        }
+        false
+    }
+
+    /// Leaves out bodies that rub where the normals of their contacts may lean out of the plane.
+    fn leave_leaning(&mut self, model: &Model, states: &[BodyState], normal: DVec3) {
+        if !model.has_friction() {
+            return;
+        }
+        let form = |body: usize| {
+            let axis = states[body].pose.rotation.inverse_rotate(normal);
+            Form::of(model.bodies[body].shape.as_ref(), axis)
+        };
+        let forms: Vec<Form> = (0..model.bodies.len()).map(form).collect();
+        let rub = |a: usize, b: usize| {
+            let material = model.scene.pair_material(a, b);
+            material.static_ellipse().largest().max(material.rolling_friction()).max(material.spinning_friction()) > 0.0
+        };
+        // Pairs of prisms, and with half-spaces, are most: they are not looked at one by one.
+        for body in (0..forms.len()).filter(|&body| matches!(forms[body], Form::Convex | Form::Other)) {
+            let is_in = |of: usize| self.members[of] != Membership::Outside;
+            let leans = |&other: &usize| {
+                other != body
+                    && is_in(other)
+                    && !forms[body].keeps_normals(forms[other])
+                    && (model.bodies[body].moves() || model.bodies[other].moves())
+                    && model.scene.may_collide(body, other)
+                    && rub(body, other)
+            };
+            let Some(other) = (0..forms.len()).filter(|_| is_in(body)).find(leans) else { continue };
+            self.members[body] = Membership::Outside;
+            let (a, b) = (&model.bodies[body].name, &model.bodies[other].name);
+            self.first_outside.get_or_insert_with(|| {
+                format!("{a} and {b} rub, and where they touch the normal may lean out of the plane of their symmetry")
             });
-            let axis = state.pose.rotation.inverse_rotate(normal);
-            let moment = rigid.inertia() * axis;
-            note(moment.cross(axis).length(), rigid.moments().max_element(), &|| {
-                format!("the normal is not a principal axis of {}", body.name)
-            });
-        }
-        let surface = moving_surfaces::surface_velocity(model, states, number);
-        note(surface.dot(normal).abs(), surface.length(), &|| {
-            format!("the surface of {} moves out of the plane", body.name)
-        });
-    }
-    if worst.relative > SYMMETRY_RELATIVE {
-        return worst;
-    }
-    let mut note = |defect: f64, size: f64, body: &ModelBody| {
-        if defect > worst.relative * size {
-            let what = format!("the shape of {} is not its own mirror image", body.name);
-            worst = Defect { relative: defect / size, what };
-        }
-    };
-    for (body, state) in model.bodies.iter().zip(states) {
-        if let Some(shape) = &body.shape {
-            let height = normal.dot(state.pose.translation) - offset;
-            let axis = UnitVector::new(state.pose.rotation.inverse_rotate(normal));
-            let offset = if body.moves() { 0.0 } else { -height };
-            let defect = axis.map_or(f64::INFINITY, |axis| mirror_defect(shape, axis, offset));
-            let size = if body.size == 0.0 { 1.0 } else { body.size };
-            note(defect, size, body);
-        }
-    }
-    worst
-}
-
-/// A body by where the normals of its contacts may point.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Form {
-    /// Nothing touches it, or every contact has its own normal.
-    HalfSpace,
-    Ball,
-    /// The same in every plane parallel to the plane of motion.
-    Prism,
-    Convex,
-    Other,
-}
-
-impl Form {
-    /// That of a body with this normal of the plane of motion in its frame.
-    fn of(shape: Option<&Shape>, axis: DVec3) -> Self {
-        match shape {
-            None | Some(Shape::HalfSpace(_)) => Self::HalfSpace,
-            Some(Shape::Sphere(_)) => Self::Ball,
-            Some(shape) if UnitVector::new(axis).is_ok_and(|axis| is_prism_along(shape, axis)) => Self::Prism,
-            Some(Shape::Convex(_) | Shape::Capsule(_) | Shape::Cylinder(_) | Shape::Cone(_)) => Self::Convex,
-            Some(_) => Self::Other,
         }
     }
 
-    /// Whether normals of contacts with a body of another form lie in the plane of symmetry of both.
-    fn keeps_normals(self, other: Self) -> bool {
-        match (self, other) {
-            (Self::HalfSpace, _) | (_, Self::HalfSpace) | (Self::Prism, Self::Prism) => true,
-            (Self::Ball, other) | (other, Self::Ball) => other != Self::Other,
-            _ => false,
+    /// Leaves out the bodies that touch others already.
+    fn leave_touching(&mut self, model: &Model, states: &[BodyState]) {
+        let mut planar = PlanarBodies::new(self.plane, std::mem::take(&mut self.members));
+        let touch = |(a, b): (usize, usize)| {
+            let separation = || contact_set::separation_without_memory(model, states, a, b);
+            model.scene.may_collide(a, b)
+                && separation().is_some_and(|gap| gap <= tolerances::touch_distance(model, states, a, b))
+        };
+        let count = model.bodies.len();
+        let mut others: Vec<usize> =
+            (0..count).filter(|&body| planar.membership(body) == Membership::Outside).collect();
+        while let Some(other) = others.pop() {
+            let met: Vec<usize> = planar.bodies().filter(|&body| touch((body.min(other), body.max(other)))).collect();
+            planar.release(&met);
+            others.extend(met);
         }
+        self.members = (0..count).map(|body| planar.membership(body)).collect();
+    }
+
+    /// How many bodies move in the plane, and how many that do not move are their own mirror images.
+    fn size(&self) -> [usize; 2] {
+        [Membership::InPlane, Membership::OwnImage]
+            .map(|of| self.members.iter().filter(|membership| **membership == of).count())
+    }
+
+    /// Whether more bodies move in its plane; where none does in either, whether less is missing.
+    fn is_better_than(&self, other: &Self) -> bool {
+        let [own, others] = [self.size(), other.size()];
+        own > others || (own[0] == 0 && others[0] == 0 && self.missed < other.missed)
+    }
+
+    /// What is simulated in the plane; nothing unless all bodies are in it where the tier knows no groups.
+    fn finding(self, model: &Model, is_of_groups: bool) -> PlanarFinding {
+        let [moving, _] = self.size();
+        let all = model.movable.len();
+        let what = self.first_outside.unwrap_or_default();
+        let is_whole = self.members.iter().all(|membership| *membership != Membership::Outside);
+        if moving == 0 || !(is_whole || is_of_groups) {
+            return PlanarFinding::off(format!("no mirror plane: {what}"));
+        }
+        let normal = self.plane.normal();
+        let who = if is_whole {
+            "every body is its own mirror image".to_owned()
+        } else {
+            format!("{moving} of {all} bodies that move are their own mirror images")
+        };
+        let mut fact = format!(
+            "{who} in the plane with normal ({}, {}, {}), with a relative defect of {:.1e} (limit {:.1e})",
+            normal.x, normal.y, normal.z, self.kept, SYMMETRY_RELATIVE
+        );
+        if !is_whole {
+            let _ = write!(fact, ", until they meet others ({what})");
+        }
+        PlanarFinding { planar: PlanarBodies::new(self.plane, self.members), fact }
     }
 }
 
-/// Why normals of contacts with friction may lean out of the plane with this normal; none where they do not.
-fn leaning_contacts(model: &Model, states: &[BodyState], normal: DVec3) -> Option<String> {
-    if !model.has_friction() {
-        return None;
-    }
-    let form = |(body, state): (&ModelBody, &BodyState)| {
-        Form::of(body.shape.as_ref(), state.pose.rotation.inverse_rotate(normal))
+/// The offset (m) of the plane with this normal through the centres of most of these bodies: of those that lie at one
+/// height to rounding, that of the first.
+fn common_offset(model: &Model, states: &[BodyState], normal: DVec3, bodies: &[usize]) -> f64 {
+    let height = |body: usize| normal.dot(states[body].pose.translation);
+    let mut heights: Vec<(f64, usize)> = bodies.iter().map(|&body| (height(body), body)).collect();
+    heights.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let rounding = |&(_, body): &(f64, usize)| {
+        SYMMETRY_RELATIVE * (model.bodies[body].size + states[body].pose.translation.abs().max_element())
     };
-    let forms: Vec<Form> = model.bodies.iter().zip(states).map(form).collect();
-    // Pairs of prisms, and with half-spaces, are most: they are not looked at one by one.
-    let others = (0..forms.len()).filter(|&a| matches!(forms[a], Form::Convex | Form::Other));
-    let rub = |a: usize, b: usize| {
-        let material = model.scene.pair_material(a, b);
-        material.static_ellipse().largest().max(material.rolling_friction()).max(material.spinning_friction()) > 0.0
-    };
-    let leans = |&(a, b): &(usize, usize)| {
-        !forms[a].keeps_normals(forms[b])
-            && (model.bodies[a].moves() || model.bodies[b].moves())
-            && model.scene.may_collide(a, b)
-            && rub(a, b)
-    };
-    let mut pairs = others.flat_map(|a| (0..forms.len()).filter(move |&b| b != a).map(move |b| (a, b)));
-    let (a, b) = pairs.find(leans)?;
-    let (a, b) = (&model.bodies[a].name, &model.bodies[b].name);
-    Some(format!("{a} and {b} rub, and where they touch the normal may lean out of the plane of their symmetry"))
+    let levels = heights.chunk_by(|a, b| b.0 - a.0 <= rounding(a).max(rounding(b)));
+    let first = |level: &[(f64, usize)]| level.iter().map(|(_, body)| *body).min();
+    // Of levels with as many bodies that of the first body is taken.
+    let most = levels.max_by_key(|level| (level.len(), Reverse(first(level))));
+    most.and_then(first).map_or(0.0, height)
 }

@@ -34,8 +34,8 @@ enum Coordinates {
 }
 
 impl Coordinates {
-    fn of(model: &Model) -> Self {
-        model.plane.map_or(Self::Space, Self::Plane)
+    fn of(model: &Model, bodies: &[usize]) -> Self {
+        model.planar.of_group(bodies).map_or(Self::Space, Self::Plane)
     }
 
     fn width(self) -> usize {
@@ -141,11 +141,11 @@ impl Assembly {
         contacts: impl Iterator<Item = (ContactId, ContactGeometry)>,
         bilaterals: Vec<Bilateral>,
     ) -> Result<Self, ResponseError> {
-        let coordinates = Coordinates::of(model);
+        let coordinates = Coordinates::of(model, bodies);
         let width = coordinates.width();
         let mut inverse_masses = Vec::with_capacity(bodies.len() * width * width);
         for &body in bodies {
-            push_inverse_mass(&mut inverse_masses, model, states, body);
+            push_inverse_mass(&mut inverse_masses, coordinates, model, (states, body));
         }
         let mut problem = ContactProblem::new(width, inverse_masses)?;
         let mut constraints = Vec::new();
@@ -626,8 +626,12 @@ pub(crate) fn apply_impulses<'a>(
 }
 
 /// Appends the inverse mass of a movable body: `diag(1/m 1, I^-1)` in space, `diag(1/m, 1/m, n.I^-1 n)` in a plane.
-fn push_inverse_mass(out: &mut Vec<f64>, model: &Model, states: &[BodyState], body: usize) {
-    let coordinates = Coordinates::of(model);
+fn push_inverse_mass(
+    out: &mut Vec<f64>,
+    coordinates: Coordinates,
+    model: &Model,
+    (states, body): (&[BodyState], usize),
+) {
     let width = coordinates.width();
     let start = out.len();
     out.resize(start + width * width, 0.0);

@@ -55,7 +55,7 @@ impl FrictionalContact {
         friction::friction_of(model, id)?;
         let terms = contact_kinematics::tangential_kinematics(model, states, id)?;
         let coefficients = friction::friction_at(model, states, id, terms.basis)?;
-        let slip = slip_directions::slip_directions(model);
+        let slip = slip_directions::slip_directions(model, (id.a, id.b));
         let own = Self { id, geometry, terms, coefficients, slip, sliding: None };
         Some(match mode {
             None | Some(FrictionMode::Sticking) => own,

@@ -12,18 +12,19 @@ use crate::error::SimulationError;
 use crate::identity::body_id::BodyId;
 use crate::identity::joint_id::JointId;
 use crate::joints::{added, held, joint_contacts, motors, released};
+use crate::model::plane_of_motion::Membership;
 use crate::model::{INITIAL_OVERLAP_RELATIVE, Model, prescribed, reported, tolerances};
 use crate::plan::decisions::{Findings, Plan};
 use crate::plan::planar::{self, PlanarFinding};
 use crate::plan::{free_method, pivots};
 use crate::report::run_report::PlanChange;
 use crate::run::simulation::Simulation;
-use crate::scene::effects::Effects;
 use crate::scene::{Body, Coordinate, Joint, Motor, Scene};
 use crate::solve::projection::{Removal, project_velocities};
 use polhode_dynamics::BodyState;
 use polhode_dynamics::field::Wrench;
 use polhode_spatial::{DVec3, Pose, Velocity};
+use std::collections::BTreeSet;
 
 impl Simulation {
     /// Applies a force (N) at the centre of mass of a body and a torque (N m), world. Both act until they are set
@@ -355,38 +356,55 @@ impl Simulation {
         what: &'static str,
         change: impl FnOnce(&mut Self) -> Result<(), SimulationError>,
     ) -> Result<(), SimulationError> {
-        // A motion is planar only if that of all bodies is, so that the symmetry of all must be measured again.
-        let planar = self.core.model.plane.is_some();
-        let concerned = if planar { self.core.model.movable.clone() } else { bodies.to_vec() };
-        self.tier.interrupt(&mut self.core, &concerned)?;
+        // Where bodies of a planar motion are concerned, the symmetry of all of them must be measured again.
+        let planar = &self.core.model.planar;
+        let is_in_plane = |&body: &usize| planar.membership(body) != Membership::Outside;
+        let measured = bodies.iter().chain(moved).any(is_in_plane);
+        let in_plane = planar.bodies().filter(|_| measured);
+        let concerned: BTreeSet<usize> = bodies.iter().copied().chain(in_plane).collect();
+        self.tier.interrupt(&mut self.core, &concerned.into_iter().collect::<Vec<_>>())?;
         change(self)?;
-        self.derive_plan_again(what);
+        let planar = if measured { self.still_planar() } else { PlanarFinding::of(&self.core.model) };
+        self.derive_plan_again(what, planar);
         self.tier.resume(&mut self.core, moved)
     }
 
+    /// The bodies whose motion is still planar.
+    fn still_planar(&self) -> PlanarFinding {
+        let core = &self.core;
+        if core.model.planar.plane().is_none() {
+            return PlanarFinding::off("not examined again after an action of the program");
+        }
+        let found = planar::find(&core.model, &self.tier.states(core), &core.settings);
+        PlanarFinding { planar: core.model.planar.among(&found.planar), ..found }
+    }
+
+    /// Notes in the plan that bodies of a planar motion have met others.
+    pub(crate) fn note_planar_bodies(&mut self) {
+        let plan = self.plan.with_planar(&PlanarFinding::of(&self.core.model));
+        self.change_plan(plan, "a body met one that is not in its plane");
+    }
+
+    fn change_plan(&mut self, plan: Plan, what: &'static str) {
+        let changes = plan.changes_from(&self.plan);
+        if !changes.is_empty() {
+            self.plan_changes.push(PlanChange { t_s: self.core.t, action: what.to_owned(), changes });
+        }
+        self.plan = plan;
+    }
+
     /// Derives the plan again after an action.
-    fn derive_plan_again(&mut self, what: &'static str) {
+    fn derive_plan_again(&mut self, what: &'static str, planar: PlanarFinding) {
         let states = self.tier.states(&self.core);
         let core = &mut self.core;
         let tier_reason = self.plan.tier_reason.clone();
         let choice = free_method::choose(&core.model, &states, &core.settings.as_resolved());
         core.settings.integrator = choice.integrator;
-        let planar = match (core.effects, core.model.plane) {
-            (Effects::Planned, Some(plane)) => {
-                let found = planar::find(&core.model, &states, &core.settings);
-                if found.plane == Some(plane) { found } else { PlanarFinding { plane: None, ..found } }
-            }
-            _ => PlanarFinding::off("not examined again after an action of the program"),
-        };
-        core.model.plane = planar.plane;
+        core.model.planar = planar.planar.clone();
         let findings =
             Findings { t_s: core.t, touching_pairs: self.tier.touching_pairs(), tier_reason, choice, planar };
         let plan = Plan::derive(&core.model, &core.settings, core.effects, &findings);
-        let changes = plan.changes_from(&self.plan);
-        if !changes.is_empty() {
-            self.plan_changes.push(PlanChange { t_s: core.t, action: what.to_owned(), changes });
-        }
-        self.plan = plan;
+        self.change_plan(plan, what);
     }
 
     /// Index of a body that has not been removed.

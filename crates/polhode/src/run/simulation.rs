@@ -8,7 +8,7 @@ use crate::identity::joint_id::JointId;
 use crate::joints::{added, motors, released, turns};
 use crate::model::body_queries::BodyQueries;
 use crate::model::pivot_form::PivotRows;
-use crate::model::plane_of_motion::PlaneOfMotion;
+use crate::model::plane_of_motion::PlanarBodies;
 use crate::model::{Model, ModelBody};
 use crate::plan::decisions::{Findings, Plan};
 use crate::plan::free_method;
@@ -96,7 +96,7 @@ pub struct Simulation {
     pub(crate) tier: Box<dyn Tier>,
     pub(crate) plan_changes: Vec<PlanChange>,
     plan_at_start: Plan,
-    plane_at_start: Option<PlaneOfMotion>,
+    planar_at_start: PlanarBodies,
     /// Whether the end of the scene's duration has been reached.
     ended: bool,
     /// The run that estimates the error of stretches of crowded events.
@@ -160,7 +160,7 @@ impl Simulation {
             Effects::Planned => planar::find(&model, &states, &settings),
             Effects::All => PlanarFinding::off("the run simulates all effects: every body moves in space"),
         };
-        model.confine_to_plane(planar.plane, &mut states);
+        model.confine_to_plane(planar.planar.clone(), &mut states);
         let accounts = Accounts::open(&model, &states, settings.promise);
         let (memory, last_sample) = (Memory::default(), LastSample::default());
         let executor = Arc::new(OneThread);
@@ -177,7 +177,7 @@ impl Simulation {
         Ok(Self {
             scene: scene.clone(),
             plan_at_start: plan.clone(),
-            plane_at_start: core.model.plane,
+            planar_at_start: core.model.planar.clone(),
             plan,
             core,
             tier: engine,
@@ -284,9 +284,13 @@ impl Simulation {
             let (t, states) = (self.core.t, self.tier.states(&self.core));
             emit_sample(&*self.tier, &mut self.core, &states, t, observer)?;
         }
+        let in_plane = self.core.model.planar.bodies().count();
         let reached = self.tier.advance(&mut self.core, limit, observer);
         let reached =
             reached.map_err(|error| singular_force::explained(error, &self.core, &self.tier.states(&self.core)))?;
+        if self.core.model.planar.bodies().count() != in_plane {
+            self.note_planar_bodies();
+        }
         let t = self.core.t;
         if !self.ended && t >= self.scene.duration_s() && reached == Reached::Limit {
             self.ended = true;
@@ -499,7 +503,7 @@ impl Simulation {
             motors: self.core.model.joints.motors(),
             released: self.core.model.joints.released.keys().copied().collect(),
             turns: self.core.model.joints.turns(),
-            in_plane: self.core.model.plane.is_some(),
+            in_plane: self.core.model.planar.bodies().collect(),
             integrator: self.core.settings.integrator.name().to_owned(),
             plan: self.plan.save(&self.plan_at_start),
             plan_changes: self.plan_changes.iter().map(change).collect(),
@@ -536,7 +540,7 @@ impl Simulation {
         motors::replace_motors(&mut model, &content.motors)?;
         released::replace_released(&mut model, &content.released)?;
         turns::replace_turns(&mut model, &content.turns)?;
-        model.plane = self.plane_at_start.filter(|_| content.in_plane);
+        model.planar = self.planar_at_start.restored(&content.in_plane);
         settings.integrator = Integrator::from_name(&content.integrator)
             .map_err(|_| SnapshotError::Invalid("it names an integrator that does not exist"))?;
         let plan = self.plan_at_start.restored(content.plan.as_ref(), settings.integrator)?;
@@ -560,7 +564,7 @@ impl Simulation {
             tier,
             plan_changes: content.plan_changes.iter().map(change).collect(),
             plan_at_start: self.plan_at_start.clone(),
-            plane_at_start: self.plane_at_start,
+            planar_at_start: self.planar_at_start.clone(),
             ended,
             companion: Companion::Itself,
         })

@@ -197,7 +197,7 @@ fn slips(core: &Core, states: &[BodyState], touch: &Touch) -> bool {
 /// Directions across gravity: none without it.
 fn directions(core: &Core) -> impl Iterator<Item = DVec3> + use<> {
     let down = core.model.gravity().try_normalize();
-    let plane = core.model.plane;
+    let plane = core.model.planar.of_group(&core.model.movable);
     let axes = down.map(|down| {
         let along = if down.x.abs() < FRAC_1_SQRT_2 { DVec3::X } else { DVec3::Y };
         let first = along.reject_from(down).normalize_or_zero();

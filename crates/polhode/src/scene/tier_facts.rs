@@ -138,6 +138,8 @@ pub enum TierFeature {
     ConstrainedRk4,
     /// Friction of contacts in planar motion, in the coordinates of the plane.
     PlanarFriction,
+    /// Planar motion of some bodies of a scene, until they meet others.
+    PlanarGroups,
     /// Trees of joints in the coordinates of the joints.
     ReducedCoordinates,
     /// Stretches of crowded events, advanced by time steps whose error a companion run estimates.

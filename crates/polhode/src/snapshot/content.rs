@@ -28,8 +28,8 @@ pub(crate) struct Content {
     pub(crate) released: Vec<usize>,
     /// The angles whose revolutions gears count, rad, by the numbers of the gears.
     pub(crate) turns: Vec<(usize, f64)>,
-    /// Whether the motion is confined to the plane of its start.
-    pub(crate) in_plane: bool,
+    /// The bodies whose motion is still confined to the plane of its start.
+    pub(crate) in_plane: Vec<usize>,
     /// Name of the integrator of free motion that the plan has chosen.
     pub(crate) integrator: String,
     /// The plan, if an action of the program has changed it or the facts in it.

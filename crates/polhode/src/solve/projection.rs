@@ -409,7 +409,7 @@ fn slip_rows(model: &Model, states: &[BodyState], id: ContactId) -> Vec<(Tangent
             let row = TangentRow::new(id, &kinematics.geometry, &terms, tangent);
             (row, tangent.dot(terms.slip_velocity))
         };
-        slip_directions::slip_directions(model).tangents(&terms.basis).iter().map(row).collect::<Vec<_>>()
+        slip_directions::slip_directions(model, (id.a, id.b)).tangents(&terms.basis).iter().map(row).collect::<Vec<_>>()
     });
     rows.into_iter().flatten().collect()
 }
@@ -419,7 +419,7 @@ fn turn_rows(model: &Model, states: &[BodyState], (id, turn): (ContactId, Turn))
     let both = contact_kinematics::kinematics(model, states, id)
         .zip(contact_kinematics::tangential_kinematics(model, states, id));
     let rows = both.map(|(kinematics, terms)| {
-        turn.axes(kinematics.geometry.normal, (&terms.basis, slip_directions::slip_directions(model)))
+        turn.axes(kinematics.geometry.normal, (&terms.basis, slip_directions::slip_directions(model, (id.a, id.b))))
     });
     let row = |axis| {
         let row = RotationRow::about(model, id, axis);

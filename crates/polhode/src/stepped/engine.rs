@@ -202,6 +202,7 @@ impl SteppedEngine {
         }
         let pairs = self.search.pairs(&core.model, &self.states, interval).map_err(SimulationError::BroadPhase)?;
         let pairs = self.resting.without_idle_pairs(&core.model, &self.states, pairs, (&self.touching, h));
+        self.resting.release_from_plane(&mut core.model, &mut self.flights, &pairs);
         let (_, islands) = self.divide(core, &pairs)?;
         self.emit_samples_within(core, &islands, t_next, observer)?;
         let begin = self.states.clone();
@@ -273,7 +274,7 @@ impl SteppedEngine {
     /// When a number is not finite, or joints contradict each other.
     fn advance_all(
         &mut self,
-        core: &Core,
+        core: &mut Core,
         mut pairs: Vec<(usize, usize)>,
         interval: (f64, f64),
     ) -> Result<Advanced, SimulationError> {
@@ -293,6 +294,7 @@ impl SteppedEngine {
             self.states.clone_from(&begin);
             pairs.extend(met);
             pairs.sort_unstable();
+            self.resting.release_from_plane(&mut core.model, &mut self.flights, &pairs);
         }
     }
 
@@ -405,7 +407,7 @@ impl SteppedEngine {
     /// The flight record of a body, which is made from its present state when there is none.
     fn flight(&mut self, core: &Core, body: usize) -> Option<&Flight> {
         let rigid = core.model.bodies[body].rigid.as_ref()?;
-        let record = if core.model.plane.is_some() { Flight::steady } else { Flight::new };
+        let record = if core.model.planar.contains(body) { Flight::steady } else { Flight::new };
         let (t, state) = (core.t, &self.states[body]);
         let acceleration = core.model.free_acceleration(body);
         Some(self.flights[body].get_or_insert_with(|| Box::new(record(rigid, t, state, acceleration))))

@@ -40,5 +40,11 @@ pub(crate) const FACTS: TierFacts = TierFacts {
     order: ErrorOrder::Fixed(ORDER_OF_TIME_STEPS),
     promise: PROMISE,
     remedy: "a shorter method.step would help, or method.tier = \"accurate\"",
-    features: &[TierFeature::Friction, TierFeature::Joints, TierFeature::AllOfJoints, TierFeature::SurfaceEffects],
+    features: &[
+        TierFeature::Friction,
+        TierFeature::Joints,
+        TierFeature::AllOfJoints,
+        TierFeature::SurfaceEffects,
+        TierFeature::PlanarGroups,
+    ],
 };

@@ -20,7 +20,7 @@ use crate::accounting::books::Books;
 use crate::collision::{contact_set, moving_surfaces};
 use crate::model::{Model, prescribed, tolerances};
 use crate::report::momentum_ledger::Momentum;
-use polhode_dynamics::BodyState;
+use polhode_dynamics::{BodyState, Flight};
 use polhode_spatial::DisjointSets;
 use std::collections::BTreeSet;
 
@@ -79,6 +79,19 @@ impl Resting {
 
     fn changed(&mut self) {
         (self.weight, self.everything) = (None, None);
+    }
+
+    /// Bodies in planar motion that may touch others are simulated in space from now on.
+    pub(super) fn release_from_plane(
+        &mut self,
+        model: &mut Model,
+        flights: &mut [Option<Box<Flight>>],
+        pairs: &[(usize, usize)],
+    ) {
+        for body in model.planar.meet(pairs) {
+            (flights[body], self.of_body[body]) = (None, false);
+            self.changed();
+        }
     }
 
     /// Wakes all.

@@ -78,7 +78,7 @@ pub(crate) const NO_WORK_J: f64 = 0.0;
 /// unchanged to the last bit.
 pub(crate) fn drift(model: &Model, body: usize, state: &BodyState, h: f64) -> BodyState {
     let Some(rigid) = &model.bodies[body].rigid else { return *state };
-    let record = if model.plane.is_some() { Flight::steady } else { Flight::new };
+    let record = if model.planar.contains(body) { Flight::steady } else { Flight::new };
     let mut next = record(rigid, 0.0, state, model.free_acceleration(body)).state(h);
     model.keep_in_plane(body, &mut next);
     next

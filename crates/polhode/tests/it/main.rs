@@ -66,6 +66,7 @@ mod pivot_rows;
 mod pivots;
 mod planar;
 mod planar_friction;
+mod planar_groups;
 mod prescribed_joints;
 mod prescribed_motion;
 mod program;

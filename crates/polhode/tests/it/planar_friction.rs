@@ -227,7 +227,7 @@ fn what_leaves_the_plane_is_in_space() {
 }
 
 /// Edges of two pyramids may touch with normals that lean out of the plane, between which friction wedges bodies: with
-/// friction they are left in space, without it they are reduced.
+/// friction they are simulated in space from where they meet, without it in the plane.
 #[test]
 fn bodies_that_may_be_wedged_are_in_space() {
     let points = [(1.0, 0.0), (-0.5, 0.8), (-0.5, -0.8)].map(|(x, y)| DVec3::new(x, y, -0.25));
@@ -241,10 +241,15 @@ fn bodies_that_may_be_wedged_are_in_space() {
         let scene = Scene::builder("pyramids")
             .method(accurate())
             .gravity(DVec3::NEG_Z * 9.81)
-            .duration_s(0.01)
+            .duration_s(0.5)
             .body(Body::fixed("below").geometry(shape.clone().into()).material(material.clone()))
             .body(above.pose(Pose::from_translation(DVec3::new(0.2, 0.0, 2.0))).material(material));
-        let (report, _) = run(&scene.build().unwrap(), Effects::Planned);
+        let scene = scene.build().unwrap();
+        let (report, found) = run(&scene, Effects::Planned);
         assert_eq!(is_planar(&report), planar, "{friction}: {}", why_not(&report));
+        assert!(found.events.iter().any(|event| event.kind == EventKind::Impact));
+        let [planned, all] =
+            [report, run(&scene, Effects::All).0].map(|report| report.bodies[1].state.pose.translation);
+        assert!((planned - all).length() < SAME, "{friction}: {planned:?}, in space {all:?}");
     }
 }
