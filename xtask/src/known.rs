@@ -108,15 +108,6 @@ const KNOWN_FAILURES: &[KnownFailure] = &[
     KnownFailure { case: "FC-05", quantity: "eps0", reason: FEW_FEET },
     KnownFailure { case: "FC-05", quantity: "F/(mu m g)", reason: FEW_FEET },
     KnownFailure { case: "FC-05", quantity: "stop time", reason: FEW_FEET },
-    KnownFailure {
-        case: "random scenes",
-        quantity: "seeds whose copies are other runs",
-        reason: "of 100, seed 39: a box on a ground that shakes bounces at 1e-9 m/s, a velocity that is known to 1e-7 \
-                 of itself. The impacts after it amplify that to 4e-5, which the run that is disturbed at the start \
-                 does not show. Of 50 seeds from 300 on three: impacts of boxes that stand on others and resist \
-                 rolling or spinning. Several motions obey their laws there, and which one is found depends on the \
-                 axes: flat contacts are points, not patches",
-    },
     KnownFailure { case: "tiers agree", quantity: "stepped: other motions", reason: STEPS_SHARE },
     KnownFailure { case: "tiers agree", quantity: "fast: wrong and well", reason: FAST_PILES },
     KnownFailure {

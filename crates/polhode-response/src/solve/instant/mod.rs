@@ -60,11 +60,9 @@ pub(super) fn solve_sparse(
 pub(super) fn solve(problem: &RowProblem<'_>, blocks: &Blocks, ask: Ask<'_>) -> Result<Answer, ResponseError> {
     let terms = Terms { rows: problem.rows, blocks, constants: problem.constants };
     let slides = blocks.laws().iter().any(|law| law.parts().iter().any(|(_, part)| part.slides));
-    let turns = blocks.laws().iter().any(|law| law.resists_rotation());
     let free = if let Ask::Rest { free } = ask { Some(free) } else { None };
     if let Some(free) = free
         && !slides
-        && !turns
         && way::is_many_at_rest(problem.rows, blocks.contacts())
         && let Some(held) = rest::standing(terms, free)?
     {
@@ -75,17 +73,13 @@ pub(super) fn solve(problem: &RowProblem<'_>, blocks: &Blocks, ask: Ask<'_>) -> 
         let rounding = rounding_of(&delassus, &solved.reactions);
         Answer { choice, rounding, ..Answer::from(solved) }
     };
-    if slides
-        && !turns
-        && let Some(held) = sliding::all_hold(terms, problem.share)?
-    {
+    if slides && let Some(held) = sliding::all_hold(terms, problem.share)? {
         return Ok(rounded(held.solved, Some(held.choice)));
     }
-    if !slides && !turns {
+    if !slides {
         let at = if free.is_some() { At::Rest } else { At::Motion };
         return Ok(rounded(sticking::of_no_slip(terms, &delassus, at)?, None));
     }
-    let acceptance = if slides { ACCEPTED_SLIDING } else { FrictionSettings::default().acceptance };
-    let settings = FrictionSettings { acceptance, ..FrictionSettings::default() };
+    let settings = FrictionSettings { acceptance: ACCEPTED_SLIDING, ..FrictionSettings::default() };
     Ok(rounded(blocks.solve(&delassus, problem.constants, None, &settings)?, None))
 }

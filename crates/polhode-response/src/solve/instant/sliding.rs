@@ -5,7 +5,7 @@
 //! At one instant the same forces are taken where they exist. Where the friction of a sliding contact presses it more
 //! than its normal force lifts it (`G_nn - mu G_nt <= 0`, Painleve), the cone problem decides.
 
-use super::contacts::{Contact, Contacts, Mode};
+use super::contacts::{Contact, Contacts, Part};
 use super::terms::{STICKING_ACCELERATION, Terms, rounding_of};
 use crate::error::ResponseError;
 use crate::friction::BlocksSolution;
@@ -27,26 +27,23 @@ struct RowOrder {
 }
 
 impl RowOrder {
-    /// Rows along normals and of joints first, then those of contacts that stick, then those that slide.
+    /// Rows along normals and of joints first, then those along which contacts stick, then those along which they move.
     fn new(rows: usize, contacts: &Contacts) -> Self {
-        let mut is_tangent = vec![false; rows];
-        contacts.all.iter().flat_map(|contact| &contact.tangents).for_each(|&row| is_tangent[row] = true);
-        let mut order: Vec<usize> = (0..rows).filter(|&row| !is_tangent[row]).collect();
-        let sticks = contacts.all.iter().filter(|contact| matches!(contact.mode, Mode::Sticks(_)));
-        order.extend(sticks.flat_map(|contact| contact.tangents.iter().copied()));
+        let mut is_bounded = vec![false; rows];
+        contacts.all.iter().flat_map(Contact::bounded_rows).for_each(|row| is_bounded[row] = true);
+        let mut order: Vec<usize> = (0..rows).filter(|&row| !is_bounded[row]).collect();
+        let parts = || contacts.all.iter().flat_map(|contact| contact.parts.iter().map(move |part| (contact, part)));
+        order.extend(parts().filter(|(_, part)| part.sticks()).flat_map(|(_, part)| part.rows.iter().copied()));
         let held = order.len();
-        let slides = |contact: &Contact| matches!(contact.mode, Mode::Slides(_));
-        order
-            .extend(contacts.all.iter().filter(|contact| slides(contact)).flat_map(|own| own.tangents.iter().copied()));
+        order.extend(parts().filter(|(_, part)| part.slides).flat_map(|(_, part)| part.rows.iter().copied()));
         let mut places = vec![0; rows];
         order.iter().enumerate().for_each(|(place, &row)| places[row] = place);
-        let sliding_row = |contact: &Contact| match (contact.mode, contact.tangents.first()) {
-            (Mode::Slides(coefficient), Some(&tangent)) => {
-                Some(SlidingRow { normal: places[contact.normal], tangent: places[tangent], coefficient })
-            }
-            _ => None,
+        let sliding_row = |(contact, part): (&Contact, &Part)| {
+            let tangent = *part.rows.first().filter(|_| part.slides)?;
+            let [normal, tangent] = [contact.normal, tangent].map(|row| places[row]);
+            Some(SlidingRow { normal, tangent, coefficient: part.friction })
         };
-        let sliding = contacts.all.iter().filter_map(sliding_row).collect();
+        let sliding = parts().filter_map(sliding_row).collect();
         Self { order, places, held, sliding }
     }
 
@@ -126,7 +123,7 @@ pub(super) fn all_hold(
     let mut velocities = order.in_rows(&accelerations);
     order.order[..held].iter().for_each(|&row| velocities[row] = 0.0);
     let report = SolverReport { method: Method::ActiveSet, ..SolverReport::default() };
-    let (statuses, parts) = (contacts.statuses(), Vec::new());
+    let (statuses, parts) = (contacts.statuses(), contacts.statuses_of_parts());
     let solved = BlocksSolution { reactions: of_rows, velocities, statuses, parts, report };
     let choice = if depends { Choice::DecidesMotion } else { Choice::Idle };
     Ok(Some(HoldingWhileSliding { solved, choice }))

@@ -71,7 +71,7 @@ impl HoldingForces {
         (contacts.obey(&self.forces) && self.is_balanced).then(|| BlocksSolution {
             velocities: vec![0.0; self.forces.len()],
             reactions: self.forces.clone(),
-            parts: Vec::new(),
+            parts: contacts.statuses_of_parts(),
             statuses: vec![ContactStatus::Stick; contacts.all.len()],
             report: SolverReport { method, residual: self.residual, ..SolverReport::default() },
         })
@@ -177,8 +177,8 @@ fn least_change(
     left: &[f64],
 ) -> Result<LeastNormForces, ResponseError> {
     let normals = pressed.iter().map(|contact| contact.normal);
-    let tangents = pressed.iter().flat_map(|contact| contact.tangents.iter().copied());
-    let own: Vec<usize> = normals.chain(contacts.joints.iter().copied()).chain(tangents).collect();
+    let bounded = pressed.iter().flat_map(|contact| contact.bounded_rows());
+    let own: Vec<usize> = normals.chain(contacts.joints.iter().copied()).chain(bounded).collect();
     let active = rows.with_rows(&own);
     let of_own: Vec<f64> = own.iter().map(|&row| left[row]).collect();
     let change = least_norm_forces(&active, &active.delassus(), &of_own)?;
