@@ -5,9 +5,6 @@ use crate::friction::{BlocksSolution, ContactStatus};
 use crate::least_norm_hold::LeastNormForces;
 use crate::report::SolverReport;
 
-/// Moves forces of all rows among the points of one face, so that they do the same to the bodies.
-pub type Share<'a> = &'a dyn Fn(&mut [f64]);
-
 /// Whether the motion depends on which of several forces are taken that hold all contacts as well.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Choice {

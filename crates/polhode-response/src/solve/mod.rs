@@ -29,7 +29,7 @@ pub mod step;
 pub mod way;
 mod without_friction;
 
-pub use answer::{Answer, Choice, Share};
+pub use answer::{Answer, Choice};
 pub use problem::{Ask, Memory, RowProblem};
 
 use crate::error::{ResponseError, check_finite, check_length};

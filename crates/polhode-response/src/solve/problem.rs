@@ -1,6 +1,5 @@
 //! What is asked of the door: rows, what is known of them, and what is kept from one solve to the next.
 
-use super::answer::Share;
 use crate::complementarity::{ComplementaritySolver, WarmStart};
 use crate::delassus::Delassus;
 use crate::friction::Blocks;
@@ -55,14 +54,12 @@ pub struct RowProblem<'a> {
     pub start: Option<&'a WarmStart>,
     /// Rounding that the constant terms carry already, in their unit.
     pub noise_floor: f64,
-    /// Moves the forces of one face among its points.
-    pub share: Option<Share<'a>>,
 }
 
 impl<'a> RowProblem<'a> {
     /// Rows with constant terms, none of which is known to be of a joint.
     pub const fn new(rows: &'a ContactProblem, constants: &'a [f64]) -> Self {
-        Self { rows, blocks: None, joints: 0..0, constants, start: None, noise_floor: 0.0, share: None }
+        Self { rows, blocks: None, joints: 0..0, constants, start: None, noise_floor: 0.0 }
     }
 }
 

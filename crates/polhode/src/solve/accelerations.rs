@@ -20,17 +20,12 @@ use crate::rows::assembly::{self, Assembly};
 use crate::rows::frictional_contact::{FrictionalContact, Sliding};
 use crate::rows::resisted_rotation::{self, ResistedRotation, direction_of, with_rotations};
 use crate::solve::cone_violation::RubbingForce;
-use crate::solve::share_by_pressure::{StickingContact, share_by_pressure};
 use polhode_dynamics::BodyState;
 use polhode_response::friction::ContactStatus;
 use polhode_response::solve::instant::{SLIDING_ROUNDING, STICKING_ACCELERATION};
 use polhode_response::{Answer, Ask, Blocks, Choice, Memory, ResponseError, RowProblem, WarmStart, solve};
 use polhode_spatial::DVec3;
 use std::collections::BTreeMap;
-
-/// Directions (unit vectors) that differ by less count as one where slips begin (1e-5 to 1e-3): just beyond static
-/// friction, by 1e-9 of it, forces may point apart by the square root of that.
-const SAME_DIRECTION: f64 = 1e-4;
 
 /// What the forces are wanted for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -70,8 +65,6 @@ pub(crate) struct Accelerations {
 pub(crate) struct ContactTangent {
     /// Force on A in the tangent plane, N.
     pub(crate) force: DVec3,
-    /// The sum of the forces on A in the tangent planes of all contacts of the pair, N.
-    pub(crate) force_of_pair: DVec3,
     /// `u_T'`, m/s^2.
     pub(crate) slip_acceleration: DVec3,
     /// Its coefficients of friction, and the tangents they are for.
@@ -92,18 +85,16 @@ pub(crate) struct ContactTangent {
 
 impl ContactTangent {
     /// The direction in which the slip of a contact begins to grow: against its friction force. The slip acceleration
-    /// has the same direction, but where the force barely exceeds static friction it is too small to give one. There
-    /// the forces at several contacts of one pair may differ a little in direction without effect on the motion; slips
-    /// that begin in such directions would turn at once. A force that nearly agrees with the sum of its pair takes the
-    /// direction of the sum. A contact that touches without pressing bears no force: its slip follows its acceleration.
+    /// has the same direction, but where the force barely exceeds static friction it is too small to give one. A contact
+    /// that touches without pressing bears no force: its slip follows its acceleration.
     pub(crate) fn begins_along(&self) -> Option<DVec3> {
         if !self.has_force {
             return self.slip_acceleration.try_normalize();
         }
-        let against = |force| self.coefficients.at_rest.slip_against(self.basis, force);
-        let own = against(self.force).or_else(|| self.slip_acceleration.try_normalize())?;
-        let together = against(self.force_of_pair);
-        Some(together.filter(|together| (*together - own).length() < SAME_DIRECTION).unwrap_or(own))
+        self.coefficients
+            .at_rest
+            .slip_against(self.basis, self.force)
+            .or_else(|| self.slip_acceleration.try_normalize())
     }
 }
 
@@ -163,8 +154,6 @@ impl Accelerations {
         let rotations = rotations_of(&mut assembly, (model, states), (contacts, frictional))?;
         let FreeMotion { free, mut constants } = FreeMotion::of(&assembly, model, (t, states), contacts, loads)?;
         let blocks = with_rotations(blocks, &rotations);
-        let sticking = sticking(&assembly, frictional);
-        let share = |forces: &mut [f64]| share_by_pressure(contacts, &sticking, forces);
         let ask = asked(wanted, bodies.iter().map(|&body| &states[body]), &free);
         // Accelerations of joints are differences of centripetal terms, whatever the forces are that follow from them.
         let has_joints = !assembly.bilaterals().is_empty();
@@ -177,7 +166,6 @@ impl Accelerations {
                 joints: assembly.joint_rows(),
                 start: Some(&start),
                 noise_floor,
-                share: Some(&share),
                 ..RowProblem::new(&assembly.problem, &constants)
             };
             let found = solve(&problem, ask, memory)?;
@@ -200,7 +188,6 @@ impl Accelerations {
             Some(found)
         });
         let mut tangential: Vec<Option<ContactTangent>> = tangential.collect();
-        add_up_pairs(contacts, &mut tangential);
         complete_slips((model, t, states), frictional, (&assembly, &of_bodies), &mut tangential);
         let turn = |law: &ResistedRotation| {
             let turning = turning(&assembly, law, &solved);
@@ -282,22 +269,6 @@ pub(crate) fn blocks_of(
     Ok(blocks)
 }
 
-/// The contacts that stick, with their rows along tangents.
-fn sticking(assembly: &Assembly, frictional: &[Option<FrictionalContact>]) -> Vec<StickingContact> {
-    let mut first = assembly.first_tangent();
-    let mut found = Vec::new();
-    for (contact, friction) in frictional.iter().enumerate() {
-        let Some(friction) = friction else { continue };
-        let tangents = friction.tangents();
-        let rows = first..first + tangents.len();
-        first = rows.end;
-        if friction.sliding.is_none() {
-            found.push(StickingContact { contact, rows, tangents });
-        }
-    }
-    found
-}
-
 /// Adds the rows of rotations that friction resists.
 fn rotations_of(
     assembly: &mut Assembly,
@@ -345,7 +316,6 @@ fn contact_tangent(
     let rubbing = RubbingForce { pair: (id.a, id.b), normal, tangential, friction: coefficient };
     ContactTangent {
         force,
-        force_of_pair: DVec3::ZERO,
         slip_acceleration: sum(&solved.velocities),
         coefficients: friction.coefficients,
         basis: friction.terms.basis,
@@ -377,21 +347,6 @@ fn complete_slips(
             let rate =
                 assembly::relative_acceleration(model, (t, states), row.id, along, assembly.split(accelerations));
             tangent.slip_acceleration = direction * rate;
-        }
-    }
-}
-
-/// Gives each contact the sum of the forces of its pair.
-fn add_up_pairs(contacts: &[Touch], tangential: &mut [Option<ContactTangent>]) {
-    let mut sums: BTreeMap<(usize, usize), DVec3> = BTreeMap::new();
-    for (touch, tangent) in contacts.iter().zip(tangential.iter()) {
-        if let Some(tangent) = tangent {
-            *sums.entry((touch.id.a, touch.id.b)).or_default() += tangent.force;
-        }
-    }
-    for (touch, tangent) in contacts.iter().zip(tangential) {
-        if let (Some(tangent), Some(&sum)) = (tangent, sums.get(&(touch.id.a, touch.id.b))) {
-            tangent.force_of_pair = sum;
         }
     }
 }

@@ -4,7 +4,6 @@
 //! | module | holds |
 //! |---|---|
 //! | `accelerations` | forces and accelerations at one instant: which contacts hold, stick and slide |
-//! | `share_by_pressure` | the tangential force of a face, shared among its contacts |
 //! | `held_at_rest` | bodies at rest with many contacts, for limit analysis |
 //! | `impact`, `frictional_impact` | impulses of an impact, and of one with friction |
 //! | `bounce_friction` | what ending bounces takes, with the friction that belongs to it |
@@ -33,4 +32,3 @@ pub(crate) mod overlap;
 pub(crate) mod projection;
 pub(crate) mod reactions;
 pub(crate) mod rotational_friction;
-mod share_by_pressure;

@@ -73,7 +73,7 @@ pub(super) fn solve(problem: &RowProblem<'_>, blocks: &Blocks, ask: Ask<'_>) -> 
         let rounding = rounding_of(&delassus, &solved.reactions);
         Answer { choice, rounding, ..Answer::from(solved) }
     };
-    if slides && let Some(held) = sliding::all_hold(terms, problem.share)? {
+    if slides && let Some(held) = sliding::all_hold(terms)? {
         return Ok(rounded(held.solved, Some(held.choice)));
     }
     if !slides {

@@ -13,7 +13,7 @@ use crate::least_in_cones::least_forces_in_cones;
 use crate::least_norm_hold::LeastNormForces;
 use crate::report::{Method, SolverReport};
 use crate::sliding::{SlidingRow, least_norm_sliding_forces, motion_depends_on_choice};
-use crate::solve::answer::{Choice, Share};
+use crate::solve::answer::Choice;
 
 /// The rows of a problem in the order that [`least_norm_sliding_forces`] asks for.
 struct RowOrder {
@@ -67,15 +67,11 @@ pub(super) struct HoldingWhileSliding {
     pub(super) choice: Choice,
 }
 
-/// The least forces with which all contacts hold, some of which slide; none if they are not an answer. `share` moves
-/// the forces of one face among its points.
+/// The least forces with which all contacts hold, some of which slide; none if they are not an answer.
 ///
 /// # Errors
 /// When a number is not finite.
-pub(super) fn all_hold(
-    terms: Terms<'_>,
-    share: Option<Share<'_>>,
-) -> Result<Option<HoldingWhileSliding>, ResponseError> {
+pub(super) fn all_hold(terms: Terms<'_>) -> Result<Option<HoldingWhileSliding>, ResponseError> {
     let contacts = Contacts::of(terms.rows, terms.blocks);
     let order = RowOrder::new(terms.rows.len(), &contacts);
     let RowOrder { held, ref sliding, .. } = order;
@@ -91,10 +87,6 @@ pub(super) fn all_hold(
     let LeastNormForces { mut forces, loads } =
         least_norm_sliding_forces(&ordered, &delassus, &constants[..held], sliding)?;
     let mut of_rows = order.in_rows(&forces);
-    if let Some(share) = share {
-        share(&mut of_rows);
-        forces = order.in_order(&of_rows);
-    }
     if !contacts.obey(&of_rows) {
         if loads.is_some() {
             return Ok(None);
