@@ -17,7 +17,7 @@ use crate::model::{Loads, Model, prescribed};
 use crate::rows::rotation_row::RotationRow;
 use polhode_contact::{ContactGeometry, ContactKinematics, TangentialKinematics};
 use polhode_dynamics::BodyState;
-use polhode_response::solve::held::Supports;
+use polhode_response::solve::held::{Independence, Supports};
 use polhode_response::{ContactProblem, ResponseError};
 use polhode_spatial::DVec3;
 use std::borrow::Cow;
@@ -415,6 +415,11 @@ impl Assembly {
     /// Finds which reactions of joints do the same, where these close loops.
     pub(crate) fn find_supports(&mut self) {
         self.supports = Some(Supports::of(&self.problem, self.rigid_rows()));
+    }
+
+    /// How far the rows of joints are from depending on each other, where that was asked for.
+    pub(crate) fn independence(&self) -> Option<Independence> {
+        self.supports.as_ref().map(Supports::independence)
     }
 
     /// The same where the joints of these bodies close loops.
