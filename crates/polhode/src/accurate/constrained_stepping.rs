@@ -92,9 +92,11 @@ struct IslandSteps<'a> {
 }
 
 impl IslandSteps<'_> {
-    /// The length of a step, at most this (s), that does not end near a flat position.
-    fn beside_flat(&self, length_s: f64) -> f64 {
-        self.flat.map_or(length_s, |flat| flat.length_beside(length_s))
+    /// The length of a step (s) that does not end near a flat position, where the limit cuts what is proposed (s) to
+    /// `length` (s). Beyond the limit the motion has to be as smooth as before.
+    fn beside_flat(&self, proposed: f64, length: f64) -> f64 {
+        let most = if self.core.model.prescribed.is_empty() { proposed } else { length };
+        self.flat.map_or(length, |flat| flat.length_beside(most, length))
     }
 }
 
@@ -114,11 +116,12 @@ impl Steps for IslandSteps<'_> {
     /// If the remainder after this step would be too short for another one, the step extends to the limit.
     fn first_length(&self, proposed_s: f64) -> f64 {
         let is_whole = is_instant(self.limit_s - proposed_s, self.core.settings.step_s);
-        self.beside_flat(if is_whole { self.limit_s } else { proposed_s })
+        self.beside_flat(proposed_s, if is_whole { self.limit_s } else { proposed_s })
     }
 
     fn repeated_length(&self, proposed_s: f64) -> f64 {
-        self.beside_flat(proposed_s.min(SLIP_SHARE * self.slip_time_s))
+        let length = proposed_s.min(SLIP_SHARE * self.slip_time_s);
+        self.beside_flat(length, length.min(self.limit_s))
     }
 
     fn attempt(&mut self, length_s: f64) -> Result<Attempt<Self::Step>, SimulationError> {
@@ -271,13 +274,19 @@ impl Motions {
         let motion = |(index, &body): (usize, &usize)| dense.body_motion(index * WIDTH, rigid(body)?);
         let motions = bodies.iter().enumerate().map(motion).collect();
         let spins = bodies.iter().map(|&body| self.free_spin(core, body, active.held(), t)).collect();
+        let end = end_of(core, (bodies, active.held()), t, h);
+        let mut end_state = step.end_state().to_vec();
+        // A step across a flat position may end before its method does.
+        if end < t + h && !is_instant(t + h - end, core.settings.step_s) {
+            dense.evaluate(end, &mut end_state);
+        }
         ConstrainedStep {
             bodies: bodies.to_vec(),
             active: active.clone(),
             t,
-            end: end_of(core, (bodies, active.held()), t, h),
+            end,
             h,
-            end_state: step.end_state().to_vec(),
+            end_state,
             dense,
             motions,
             spins,
@@ -377,8 +386,11 @@ impl Motions {
         if t_next >= step.end {
             return Ok(step.at_end(&step.end_state, t_next));
         }
-        let about = core.accounts.books.ledger.momentum.about;
         let flat = self.flat_position(core, &step.bodies, step.t);
+        if flat.is_some_and(|flat| flat.is_near_end(t_next - step.t)) {
+            return Ok(step.at(t_next));
+        }
+        let about = core.accounts.books.ledger.momentum.about;
         let mut scratch = std::mem::take(&mut self.scratch);
         let mut system = ContactSystem::new(&core.model, &mut scratch, &step.bodies, &step.active, about);
         let attempt = self.attempt(core, &mut system, (step.t, t_next - step.t), flat);

@@ -7,13 +7,13 @@
 //! errors. So beside a flat position each stage is evaluated at the closed poses next to it, with velocities that keep
 //! the joints ([`Stages::Closed`]). These are on the branch, and the motion that the method sees is smooth. At the flat
 //! position itself nothing tells the branches apart: a step passes it where the method has no stage, that of DOP853
-//! from a third to three fifths of its length ([`MIDDLE`]). The branch taken is that on which velocities are
+//! from a third to three fifths of its length ([`GAP`]). The branch taken is that on which velocities are
 //! continuous.
 //!
 //! When it is reached: how far rows are from depending on each other is the least pivot of their Jacobian
 //! (`polhode_response::solve::held::Supports`), which falls linearly with the distance. Two of them, a little apart
-//! along the motion, give its time. Limit: where motion begins or ends at a flat position a stage has to lie there, and
-//! steps are short.
+//! along the motion, give its time. Limit: where motion begins at a flat position a stage has to lie there, and steps
+//! are short.
 
 use crate::joints::held;
 use crate::model::{Model, prescribed};
@@ -24,12 +24,8 @@ use polhode_dynamics::BodyState;
 use polhode_response::ResponseError;
 use polhode_spatial::Rotation;
 
-/// Where the flat position lies within a step that passes it (no unit): in the middle of the largest gap between the
-/// stages of DOP853, from 1/3 to 3/5.
-const MIDDLE: f64 = 7.0 / 15.0;
-
-/// How far the nearest stage is from there (no unit).
-const HALF_GAP: f64 = 2.0 / 15.0;
+/// The largest gap between the stages of DOP853, in lengths of the step (no unit): the flat position lies in its middle.
+const GAP: [f64; 2] = [1.0 / 3.0, 3.0 / 5.0];
 
 /// Over which part of the longest step the motion is continued to see how fast rows become dependent (no unit, 1e-5 to
 /// 1e-2).
@@ -104,30 +100,38 @@ impl FlatPosition {
         if 0.5 * self.time_s.abs() <= h { Stages::Closed } else { Stages::AsTheyAre }
     }
 
-    /// The length of a step (s), at most `longest`, that does not end near it: it passes it between its stages, or
-    /// leaves that to the next step.
-    pub(super) fn length_beside(self, longest: f64) -> f64 {
-        let reach = MIDDLE * longest;
-        if self.time_s <= 0.0 {
-            longest
-        } else if self.time_s <= reach {
-            self.time_s / MIDDLE
-        } else if self.time_s <= 2.0 * reach {
-            0.5 * self.time_s
+    /// The length of a step (s) that does not end near it, where `proposed` (s) is proposed and the limit cuts it to
+    /// `length` (s): it passes it between its stages, or leaves that to the next step. Where the limit is next to it,
+    /// the step goes beyond the limit, and ends where its own polynomials say.
+    pub(super) fn length_beside(self, proposed: f64, length: f64) -> f64 {
+        let (time, middle) = (self.time_s, 0.5 * (GAP[0] + GAP[1]));
+        let across = time / middle;
+        let ends_near_it = GAP[0] * across < length && length < across;
+        if time <= 0.0 {
+            length
+        } else if across <= length {
+            across
+        } else if ends_near_it && across <= proposed {
+            across
+        } else if 0.5 * across <= length {
+            0.5 * time
         } else {
-            longest.min(self.time_s - reach)
+            length.min(time - middle * length)
         }
+    }
+
+    /// Whether a step of `h` (s) has its end near it.
+    pub(super) fn is_near_end(self, h: f64) -> bool {
+        self.length_beside(h, h) < h
     }
 
     /// What the rounding of a pose by a metre makes of accelerations in a step of `h` (s), 1/s^2: next to the flat
     /// position a gap `g` puts bodies off the branch by `g` over the distance, and `2 g / t^3` of that is acceleration.
     pub(super) fn acceleration_of_gaps(self, h: f64) -> f64 {
         let time = self.time_s;
-        let nearest = if 0.0 < time && time < h {
-            (time.min(h - time)).min(HALF_GAP * h)
-        } else {
-            time.abs().min((time - h).abs())
-        };
+        let is_passed = 0.0 < time && time < h;
+        let least = if is_passed { 0.5 * (GAP[1] - GAP[0]) * h } else { f64::INFINITY };
+        let nearest = least.min(time.abs()).min((time - h).abs());
         2.0 * time.abs() / (self.independence * nearest * nearest * nearest)
     }
 }

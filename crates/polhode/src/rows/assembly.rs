@@ -11,7 +11,7 @@ use crate::constraint::softness::Softness;
 use crate::identity::contact_id::{ContactId, Feature};
 use crate::joints::bilateral::{self, Bilateral, Reaction};
 use crate::joints::held;
-use crate::joints::joint_friction::{self, Pressed};
+use crate::joints::joint_friction::{self, LastRound, Pressed};
 use crate::model::plane_of_motion::PlaneOfMotion;
 use crate::model::{Loads, Model, prescribed};
 use crate::rows::rotation_row::RotationRow;
@@ -107,6 +107,7 @@ pub(crate) struct Assembly {
     rotation_rows: Vec<usize>,
     /// The rows of contacts that a given force presses.
     pressed: Vec<(usize, Pressed)>,
+    last_round: LastRound,
     /// The rows of stops: the joint, and the normal.
     stops: Vec<(usize, usize, DVec3)>,
     /// Which reactions of joints do the same, where that was asked for, or where they press bearings and close loops.
@@ -186,6 +187,7 @@ impl Assembly {
             rotations,
             rotation_rows,
             pressed,
+            last_round: LastRound::default(),
             stops,
             supports,
             bodies,
@@ -492,7 +494,7 @@ impl Assembly {
         let renewed: Vec<(usize, Pressed)> =
             self.pressed.iter().map(|(row, own)| (*row, own.renewed(of_joint, h).unwrap_or(*own))).collect();
         let changes = renewed != self.pressed;
-        self.pressed = renewed;
+        self.pressed = if changes { self.last_round.next(&self.pressed, renewed) } else { renewed };
         Ok(changes)
     }
 
