@@ -280,17 +280,7 @@ impl Motions {
         if end < t + h && !is_instant(t + h - end, core.settings.step_s) {
             dense.evaluate(end, &mut end_state);
         }
-        ConstrainedStep {
-            bodies: bodies.to_vec(),
-            active: active.clone(),
-            t,
-            end,
-            h,
-            end_state,
-            dense,
-            motions,
-            spins,
-        }
+        ConstrainedStep { bodies: bodies.to_vec(), active: active.clone(), t, end, h, end_state, dense, motions, spins }
     }
 
     /// Free rotation of a body over a step from `t`, if no held contact and no force can turn it. The flight record of

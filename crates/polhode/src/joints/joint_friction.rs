@@ -92,10 +92,20 @@ pub(crate) struct LastRound {
 }
 
 impl LastRound {
+    /// The largest change relative to the largest force.
+    pub(crate) fn relative_change(&self) -> f64 {
+        let largest = |of: &[f64]| of.iter().fold(0.0_f64, |most, own| most.max(own.abs()));
+        if self.changes.is_empty() { 0.0 } else { largest(&self.changes) / largest(&self.renewed) }
+    }
+
     /// What presses the shoes in the next round, where these forces follow from the loads under the present ones.
     /// Loads of loops that lie nearly flat change by nearly as much from round to round, or by more with the other
     /// sign: the secant through two rounds ends that (Anderson 1965, of depth one).
-    pub(crate) fn next(&mut self, pressed: &[(usize, Pressed)], mut renewed: Vec<(usize, Pressed)>) -> Vec<(usize, Pressed)> {
+    pub(crate) fn next(
+        &mut self,
+        pressed: &[(usize, Pressed)],
+        mut renewed: Vec<(usize, Pressed)>,
+    ) -> Vec<(usize, Pressed)> {
         let forces: Vec<f64> = renewed.iter().map(|(_, own)| own.force).collect();
         let changes: Vec<f64> = forces.iter().zip(pressed).map(|(force, (_, own))| force - own.force).collect();
         let last = std::mem::replace(self, Self { renewed: forces.clone(), changes: changes.clone() });

@@ -498,6 +498,11 @@ impl Assembly {
         Ok(changes)
     }
 
+    /// How much the loads of bearings have changed by the last round, relative to the largest.
+    pub(crate) fn change_of_pressing(&self) -> f64 {
+        self.last_round.relative_change()
+    }
+
     /// Splits generalised velocities, accelerations or forces into (body, linear part, angular part).
     pub(crate) fn split<'a>(&'a self, columns: &'a [f64]) -> impl Iterator<Item = (usize, DVec3, DVec3)> + 'a {
         self.bodies
