@@ -11,10 +11,11 @@
 //! continuous.
 //!
 //! When it is reached: how far rows are from depending on each other is the least pivot of their Jacobian
-//! (`polhode_response::solve::held::Supports`), which falls linearly with the distance. Two of them, a little apart
+//! (`polhode_response::solve::held::Supports`), which falls linearly with the distance. Two of them, an instant apart
 //! along the motion, give its time. Limit: where motion begins at a flat position a stage has to lie there, and steps
 //! are short.
 
+use super::pace::instant;
 use crate::joints::held;
 use crate::model::{Model, prescribed};
 use crate::rows::assembly::Assembly;
@@ -24,12 +25,9 @@ use polhode_dynamics::BodyState;
 use polhode_response::ResponseError;
 use polhode_spatial::Rotation;
 
-/// The largest gap between the stages of DOP853, in lengths of the step (no unit): the flat position lies in its middle.
+/// The largest gap between the stages of DOP853, in lengths of the step (no unit): the flat position lies in its
+/// middle.
 const GAP: [f64; 2] = [1.0 / 3.0, 3.0 / 5.0];
-
-/// Over which part of the longest step the motion is continued to see how fast rows become dependent (no unit, 1e-5 to
-/// 1e-2).
-const LOOK_AHEAD: f64 = 1e-3;
 
 /// At which poses the stages of a step are evaluated.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -76,7 +74,7 @@ impl FlatPosition {
         if !held::has_loops_among(model, bodies) {
             return None;
         }
-        let look = LOOK_AHEAD * core.settings.step_s;
+        let look = instant(core.settings.step_s);
         for &body in bodies {
             let (state, velocity) = (states[body], model.velocity(body, &states[body]));
             beside[body] = state;
@@ -109,9 +107,7 @@ impl FlatPosition {
         let ends_near_it = GAP[0] * across < length && length < across;
         if time <= 0.0 {
             length
-        } else if across <= length {
-            across
-        } else if ends_near_it && across <= proposed {
+        } else if across <= length || (ends_near_it && across <= proposed) {
             across
         } else if 0.5 * across <= length {
             0.5 * time
