@@ -60,7 +60,7 @@ struct Bearing {
 pub(crate) const MOST_ROUNDS_OF_BEARINGS: usize = 60;
 
 /// Changes of the loads of bearings that fall by less than this from round to round fall slowly (no unit).
-const SLOW: f64 = 0.5;
+const SLOW_FALL: f64 = 0.5;
 
 /// Loads of bearings that differ by less than this part of them count as found (no unit): some rounding units.
 const SAME_LOAD: f64 = 4.0 * f64::EPSILON;
@@ -110,7 +110,7 @@ impl LastRound {
         let changes: Vec<f64> = forces.iter().zip(pressed).map(|(force, (_, own))| force - own.force).collect();
         let last = std::mem::replace(self, Self { renewed: forces.clone(), changes: changes.clone() });
         let square = |of: &[f64]| of.iter().map(|own| own * own).sum::<f64>();
-        if last.changes.len() == changes.len() && square(&changes) > SLOW * SLOW * square(&last.changes) {
+        if last.changes.len() == changes.len() && square(&changes) > SLOW_FALL * SLOW_FALL * square(&last.changes) {
             let falls: Vec<f64> = changes.iter().zip(&last.changes).map(|(own, last)| own - last).collect();
             let along: f64 = changes.iter().zip(&falls).map(|(own, fall)| own * fall).sum();
             let share = along / square(&falls);
