@@ -31,12 +31,6 @@ const GAPS_OF_NANOMETRES: &str = "\
     until it is lifted is beyond the promised limit, which the run says (infinite here), or changes the velocity by \
     up to 2e-8";
 
-/// Why the upright four-bar linkage is not as exact as its pendulum.
-const FLAT_LINKAGE: &str = "\
-    where all bars lie in one line its rows depend on each other, and beside it they nearly do: what is solved and \
-    projected there moves bodies by more than the gaps that it closes. Joints in coordinates of their own have no \
-    such place";
-
 /// Why problems of piles are not solved to 1e-8 in every step.
 const LIGHT_UNDER_LOAD: &str = "\
     what is left is that of light bodies under load, in units of their own motion; in units of the largest impulse it \
@@ -99,12 +93,6 @@ const KNOWN_FAILURES: &[KnownFailure] = &[
     KnownFailure { case: "heaps", quantity: "pyramid of 55, pushed: overlap", reason: OVERLAPS_WITHIN },
     KnownFailure { case: "heaps", quantity: "1e6 kg on nine: overlap", reason: OVERLAPS_WITHIN },
     KnownFailure { case: "heaps", quantity: "1e6 kg on nine: largest residual", reason: LIGHT_UNDER_LOAD },
-    KnownFailure { case: "JT-06", quantity: "period", reason: FLAT_LINKAGE },
-    KnownFailure { case: "JT-06", quantity: "phi'", reason: FLAT_LINKAGE },
-    KnownFailure { case: "JT-06", quantity: "t=1", reason: FLAT_LINKAGE },
-    KnownFailure { case: "JT-06", quantity: "t=5", reason: FLAT_LINKAGE },
-    KnownFailure { case: "JT-06", quantity: "t=10", reason: FLAT_LINKAGE },
-    KnownFailure { case: "JT-06", quantity: "work", reason: FLAT_LINKAGE },
     KnownFailure { case: "FC-05", quantity: "eps0", reason: FEW_FEET },
     KnownFailure { case: "FC-05", quantity: "F/(mu m g)", reason: FEW_FEET },
     KnownFailure { case: "FC-05", quantity: "stop time", reason: FEW_FEET },

@@ -68,6 +68,11 @@ impl PivotedQr {
         self.rank
     }
 
+    /// The last pivot relative to the first; 0 without columns.
+    pub(crate) fn least_pivot(&self) -> f64 {
+        self.rank.checked_sub(1).map_or(0.0, |last| (self.r(last, last) / self.r(0, 0)).abs())
+    }
+
     /// `Q x`, in place.
     pub(crate) fn apply(&self, x: &mut [f64]) {
         for step in (0..self.rank).rev() {

@@ -60,6 +60,17 @@ pub fn hold_all(rows: &ContactProblem, constants: &[f64]) -> Result<Held, Respon
     Ok(Held { reactions, left })
 }
 
+/// How far rows are from depending on each other.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct Independence {
+    /// How many do not.
+    pub rank: usize,
+    /// The least pivot of their Jacobian in the metric of bodies of one mass, relative to the largest (no unit): it
+    /// falls linearly with the distance from where one row more depends on the others. 0 without rows.
+    pub least: f64,
+}
+
 /// Rows that hold and may depend on each other, as those of the joints of a mechanism with more supports than it needs:
 /// which of their reactions do the same.
 ///
@@ -94,6 +105,11 @@ impl Supports {
         }
         let factor = PivotedQr::factor(count, rows.bodies() * width, jacobian, DEPENDENT_COLUMN.sqrt());
         Self { factor, moves: held.map(|row| rows.mobility(row) > 0.0).collect() }
+    }
+
+    /// How far the rows that are independent are from depending on each other.
+    pub fn independence(&self) -> Independence {
+        Independence { rank: self.factor.rank(), least: self.factor.least_pivot() }
     }
 
     /// Leaves of reactions, one for each row, the least ones that do the same.

@@ -13,6 +13,7 @@
 //! mostly accepted.
 
 use super::constrained_step::{ConstrainedStep, StepEndStates, end_of, step_limit, unpack};
+use super::flat_positions::{FlatPosition, Stages};
 use super::motions::Motions;
 use super::motor_bounds::corner_within;
 use super::pace::is_instant;
@@ -86,6 +87,17 @@ struct IslandSteps<'a> {
     limit_s: f64,
     /// In which the first slip would end, s; infinite before an attempt has been refused, and without slips.
     slip_time_s: f64,
+    /// Where loops lie flat near the start.
+    flat: Option<FlatPosition>,
+}
+
+impl IslandSteps<'_> {
+    /// The length of a step (s) that does not end near a flat position, where the limit cuts what is proposed (s) to
+    /// `length` (s). Beyond the limit the motion has to be as smooth as before.
+    fn beside_flat(&self, proposed: f64, length: f64) -> f64 {
+        let most = if self.core.model.prescribed.is_empty() { proposed } else { length };
+        self.flat.map_or(length, |flat| flat.length_beside(most, length))
+    }
 }
 
 impl Steps for IslandSteps<'_> {
@@ -103,15 +115,17 @@ impl Steps for IslandSteps<'_> {
 
     /// If the remainder after this step would be too short for another one, the step extends to the limit.
     fn first_length(&self, proposed_s: f64) -> f64 {
-        if is_instant(self.limit_s - proposed_s, self.core.settings.step_s) { self.limit_s } else { proposed_s }
+        let is_whole = is_instant(self.limit_s - proposed_s, self.core.settings.step_s);
+        self.beside_flat(proposed_s, if is_whole { self.limit_s } else { proposed_s })
     }
 
     fn repeated_length(&self, proposed_s: f64) -> f64 {
-        proposed_s.min(SLIP_SHARE * self.slip_time_s)
+        let length = proposed_s.min(SLIP_SHARE * self.slip_time_s);
+        self.beside_flat(length, length.min(self.limit_s))
     }
 
     fn attempt(&mut self, length_s: f64) -> Result<Attempt<Self::Step>, SimulationError> {
-        let attempted = self.motions.attempt_step(self.core, self.bodies, self.active, (self.t, length_s));
+        let attempted = self.motions.attempt_step(self.core, self.bodies, self.active, (self.t, length_s), self.flat);
         self.slip_time_s = self.slip_time_s.min(attempted.slip_time_s);
         Ok(attempted.step)
     }
@@ -138,8 +152,8 @@ impl Motions {
         let proposed = bodies.iter().map(|&body| self.tracks[body].proposed_step_s).fold(longest, f64::min);
         let mut control = StepControl::proposing(proposed);
         let limit_s = step_limit(core, (bodies, active.held()), t);
-        let slip_time_s = f64::INFINITY;
-        let mut steps = IslandSteps { motions: self, core, bodies, active, t, limit_s, slip_time_s };
+        let (slip_time_s, flat) = (f64::INFINITY, self.flat_position(core, bodies, t));
+        let mut steps = IslandSteps { motions: self, core, bodies, active, t, limit_s, slip_time_s, flat };
         let Accepted { step, length_s, error } = control.next_step(&mut steps)?;
         let most = if steps.slip_time_s.is_finite() { SLIP_GROWTH * length_s } else { f64::INFINITY };
         let next = control.proposed_s().min(most).min(longest);
@@ -162,22 +176,24 @@ impl Motions {
         active: &ActiveContacts,
         (t, h): (f64, f64),
     ) -> Option<ConstrainedStep> {
-        let accepted = self.attempt_step(core, bodies, active, (t, h)).step.accepted()?;
+        let flat = self.flat_position(core, bodies, t);
+        let accepted = self.attempt_step(core, bodies, active, (t, h), flat).step.accepted()?;
         Some(self.accepted_step(core, bodies, active, (t, h), accepted))
     }
 
-    /// Attempts a step.
+    /// Attempts a step near this flat position of loops.
     fn attempt_step(
         &mut self,
         core: &Core,
         bodies: &[usize],
         active: &ActiveContacts,
         (t, h): (f64, f64),
+        flat: Option<FlatPosition>,
     ) -> Attempted {
         let about = core.accounts.books.ledger.momentum.about;
         let mut scratch = std::mem::take(&mut self.scratch);
         let mut system = ContactSystem::new(&core.model, &mut scratch, bodies, active, about);
-        let attempted = self.attempt(core, &mut system, (t, h));
+        let attempted = self.attempt(core, &mut system, (t, h), flat);
         let refused = |error: &f64| *error > 1.0 || error.is_nan();
         let mut slip_time_s = f64::INFINITY;
         let step = match attempted {
@@ -230,6 +246,14 @@ impl Motions {
         active.sliding().filter_map(time).fold(f64::INFINITY, f64::min)
     }
 
+    /// The flat position of loops of these bodies near the start of a step from `t` (s).
+    fn flat_position(&mut self, core: &Core, bodies: &[usize], t: f64) -> Option<FlatPosition> {
+        let mut beside = std::mem::take(&mut self.scratch);
+        let flat = FlatPosition::near(core, &self.states, bodies, t, &mut beside);
+        self.restore_scratch(core, beside, bodies);
+        flat
+    }
+
     /// The step of an accepted attempt, with its error relative to the allowed error.
     fn accepted_step(
         &mut self,
@@ -250,17 +274,13 @@ impl Motions {
         let motion = |(index, &body): (usize, &usize)| dense.body_motion(index * WIDTH, rigid(body)?);
         let motions = bodies.iter().enumerate().map(motion).collect();
         let spins = bodies.iter().map(|&body| self.free_spin(core, body, active.held(), t)).collect();
-        ConstrainedStep {
-            bodies: bodies.to_vec(),
-            active: active.clone(),
-            t,
-            end: end_of(core, (bodies, active.held()), t, h),
-            h,
-            end_state: step.end_state().to_vec(),
-            dense,
-            motions,
-            spins,
+        let end = end_of(core, (bodies, active.held()), t, h);
+        let mut end_state = step.end_state().to_vec();
+        // A step across a flat position may end before its method does.
+        if end < t + h && !is_instant(t + h - end, core.settings.step_s) {
+            dense.evaluate(end, &mut end_state);
         }
+        ConstrainedStep { bodies: bodies.to_vec(), active: active.clone(), t, end, h, end_state, dense, motions, spins }
     }
 
     /// Free rotation of a body over a step from `t`, if no held contact and no force can turn it. The flight record of
@@ -291,18 +311,28 @@ impl Motions {
         core: &Core,
         system: &mut ContactSystem<'_>,
         (t, h): (f64, f64),
+        flat: Option<FlatPosition>,
     ) -> Result<(MethodStep, Option<f64>), ResponseError> {
+        system.evaluate_at(flat.map_or(Stages::AsTheyAre, |flat| flat.stages(h)));
         let step = StageMethod::of(&core.settings).attempt(system, (t, h), system.pack())?;
         let error = match &step {
             MethodStep::Reduced(step) => Some(step.error(&core.model, core.settings.tolerance)),
-            step => step.embedded().map(|method| self.error_of(core, method, system, (t, h))),
+            step => step.embedded().map(|method| self.error_of(core, method, system, (t, h), flat)),
         };
         Ok((step, error))
     }
 
     /// Largest error of an attempt over the quantities of the bodies, relative to the allowed error; NaN when one error
     /// is NaN.
-    fn error_of(&self, core: &Core, integrator: &Dop853, system: &mut ContactSystem<'_>, (t, h): (f64, f64)) -> f64 {
+    fn error_of(
+        &self,
+        core: &Core,
+        integrator: &Dop853,
+        system: &mut ContactSystem<'_>,
+        (t, h): (f64, f64),
+        flat: Option<FlatPosition>,
+    ) -> f64 {
+        let of_gaps = flat.map_or(0.0, |flat| flat.acceleration_of_gaps(h));
         let mut largest = LargestError::default();
         let bodies = system.bodies();
         let first = bodies.iter().map(|&body| self.states[body]);
@@ -325,7 +355,8 @@ impl Motions {
             let by_pose = by_poses.as_ref().unwrap_or(&loads).of(body);
             let ends = [(&self.states[body], before.of(body)), (&ends[index], by_pose)];
             let rounding = rounding(core, body, (cancelling, field_rounding(ends)), h);
-            let allowance = allowance.at_least(rounding);
+            let beside_flat = rounding_beside_flat(core, body, &self.states[body], of_gaps, h);
+            let allowance = allowance.at_least(rounding).at_least(beside_flat);
             // Nothing is known of an attempt whose end is too large to be compared.
             if !allowance.is_finite() {
                 return f64::NAN;
@@ -345,10 +376,14 @@ impl Motions {
         if t_next >= step.end {
             return Ok(step.at_end(&step.end_state, t_next));
         }
+        let flat = self.flat_position(core, &step.bodies, step.t);
+        if flat.is_some_and(|flat| flat.is_near_end(t_next - step.t)) {
+            return Ok(step.at(t_next));
+        }
         let about = core.accounts.books.ledger.momentum.about;
         let mut scratch = std::mem::take(&mut self.scratch);
         let mut system = ContactSystem::new(&core.model, &mut scratch, &step.bodies, &step.active, about);
-        let attempt = self.attempt(core, &mut system, (step.t, t_next - step.t));
+        let attempt = self.attempt(core, &mut system, (step.t, t_next - step.t), flat);
         self.restore_scratch(core, scratch, &step.bodies);
         let (made, _) = attempt.map_err(|source| SimulationError::of_response(step.t, source))?;
         Ok(step.at_end(made.end_state(), t_next))
@@ -406,6 +441,20 @@ fn rounding(core: &Core, body: usize, ([force, moment], fields): ([f64; 2], [f64
         quaternion: ErrorAllowance::of_angle(spin * inverse_moment * h),
         velocity: speed * rigid.inverse_mass(),
         angular_momentum: spin,
+    }
+}
+
+/// The same beside a flat position, where gaps make such accelerations (1/s^2): by the rounding of its pose.
+fn rounding_beside_flat(core: &Core, body: usize, state: &BodyState, of_gaps: f64, h: f64) -> ErrorAllowance {
+    let size = core.model.bodies[body].size;
+    let moment = core.model.bodies[body].rigid.as_ref().map_or(0.0, |rigid| rigid.moments().max_element());
+    let gap = DIRECTION_ROUNDING * (state.pose.translation.abs().max_element() + size);
+    let speed = of_gaps * gap * h;
+    ErrorAllowance {
+        position: speed * h,
+        quaternion: ErrorAllowance::of_angle(speed * h / size),
+        velocity: speed,
+        angular_momentum: moment * speed / size,
     }
 }
 

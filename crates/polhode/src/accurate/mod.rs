@@ -40,6 +40,7 @@
 //! | `step_search` | the first time within a step at which its active set ceases to be valid |
 //! | `reduced_step` | a step of an island in reduced coordinates |
 //! | `sampled_poses` | poses of samples within steps |
+//! | `flat_positions` | closed loops whose bars come to lie in one line: steps that pass there |
 //! | `motor_bounds` | where a motor reaches its bound or leaves it |
 //! | `track_ends` | bodies that run off the ends of their tracks |
 
@@ -56,6 +57,7 @@ mod ending_slips;
 mod engine;
 mod events;
 pub(crate) mod facts;
+mod flat_positions;
 mod free_stepping;
 mod held_forces;
 mod hold;

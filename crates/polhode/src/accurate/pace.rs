@@ -69,7 +69,12 @@ const MOST_EVENTS_AGAIN: u64 = 32;
 
 /// Whether a time (s) is too short to be a step.
 pub(super) fn is_instant(dt: f64, longest_step_s: f64) -> bool {
-    dt <= INSTANT_RELATIVE * longest_step_s
+    dt <= instant(longest_step_s)
+}
+
+/// The longest time (s) that is no step.
+pub(super) fn instant(longest_step_s: f64) -> f64 {
+    INSTANT_RELATIVE * longest_step_s
 }
 
 /// Time no longer advances.

@@ -15,6 +15,7 @@
 //! the fields, each with its moment about the ledger's point; the energy lost to drag and dampers; and the work of
 //! external forces and kinematic bodies. Where contacts have friction, one more follows: the energy lost to it.
 
+use super::flat_positions::Stages;
 use super::held_forces::{self, FrictionContact, HeldForces};
 use crate::accounting::books::Received;
 use crate::collision::active_contacts::ActiveContacts;
@@ -85,6 +86,7 @@ pub(super) struct ContactSystem<'a> {
     violation_at_start: Option<ConeViolation>,
     /// Whether the masses differ so much that contacts share their normals.
     is_disparate: bool,
+    stages: Stages,
 }
 
 impl<'a> ContactSystem<'a> {
@@ -108,7 +110,13 @@ impl<'a> ContactSystem<'a> {
             has_begun: false,
             violation_at_start: None,
             is_disparate: masses_differ(model, bodies),
+            stages: Stages::AsTheyAre,
         }
+    }
+
+    /// Evaluates stages at these poses.
+    pub(super) fn evaluate_at(&mut self, stages: Stages) {
+        self.stages = stages;
     }
 
     /// The group's bodies.
@@ -295,6 +303,7 @@ impl System for ContactSystem<'_> {
             self.states[body] = BodyState::from_array(numbers);
         }
         prescribed::prescribe(self.model, t, self.states);
+        self.stages.place(self.model, self.states, self.bodies)?;
         let (model, states) = (self.model, &*self.states);
         self.contacts.clear();
         self.contacts.extend(

@@ -59,6 +59,9 @@ struct Bearing {
 /// Rounds in which the load of bearings is found (10 to 100): each takes `k` over the levers of the joint of the error.
 pub(crate) const MOST_ROUNDS_OF_BEARINGS: usize = 60;
 
+/// Changes of the loads of bearings that fall by less than this from round to round fall slowly (no unit).
+const SLOW_FALL: f64 = 0.5;
+
 /// Loads of bearings that differ by less than this part of them count as found (no unit): some rounding units.
 const SAME_LOAD: f64 = 4.0 * f64::EPSILON;
 
@@ -76,6 +79,47 @@ impl Pressed {
         let load = (whole - axis * axis.dot(whole)).length();
         let force = unloaded + share * load;
         ((force - self.force).abs() > SAME_LOAD * force).then_some(Self { force, ..*self })
+    }
+}
+
+/// The last round of the search for the loads of bearings.
+#[derive(Debug, Default)]
+pub(crate) struct LastRound {
+    /// The forces of shoes that followed from its loads, N.
+    renewed: Vec<f64>,
+    /// What they differed by from those of the round, N.
+    changes: Vec<f64>,
+}
+
+impl LastRound {
+    /// The largest change relative to the largest force.
+    pub(crate) fn relative_change(&self) -> f64 {
+        let largest = |of: &[f64]| of.iter().fold(0.0_f64, |most, own| most.max(own.abs()));
+        if self.changes.is_empty() { 0.0 } else { largest(&self.changes) / largest(&self.renewed) }
+    }
+
+    /// What presses the shoes in the next round, where these forces follow from the loads under the present ones.
+    /// Loads of loops that lie nearly flat change by nearly as much from round to round, or by more with the other
+    /// sign: the secant through two rounds ends that (Anderson 1965, of depth one).
+    pub(crate) fn next(
+        &mut self,
+        pressed: &[(usize, Pressed)],
+        mut renewed: Vec<(usize, Pressed)>,
+    ) -> Vec<(usize, Pressed)> {
+        let forces: Vec<f64> = renewed.iter().map(|(_, own)| own.force).collect();
+        let changes: Vec<f64> = forces.iter().zip(pressed).map(|(force, (_, own))| force - own.force).collect();
+        let last = std::mem::replace(self, Self { renewed: forces.clone(), changes: changes.clone() });
+        let square = |of: &[f64]| of.iter().map(|own| own * own).sum::<f64>();
+        if last.changes.len() == changes.len() && square(&changes) > SLOW_FALL * SLOW_FALL * square(&last.changes) {
+            let falls: Vec<f64> = changes.iter().zip(&last.changes).map(|(own, last)| own - last).collect();
+            let along: f64 = changes.iter().zip(&falls).map(|(own, fall)| own * fall).sum();
+            let share = along / square(&falls);
+            for ((_, own), last) in renewed.iter_mut().zip(&last.renewed) {
+                let next = own.force - share * (own.force - last);
+                own.force = if next.is_finite() { next.max(0.0) } else { own.force };
+            }
+        }
+        renewed
     }
 }
 

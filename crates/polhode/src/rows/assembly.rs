@@ -11,13 +11,13 @@ use crate::constraint::softness::Softness;
 use crate::identity::contact_id::{ContactId, Feature};
 use crate::joints::bilateral::{self, Bilateral, Reaction};
 use crate::joints::held;
-use crate::joints::joint_friction::{self, Pressed};
+use crate::joints::joint_friction::{self, LastRound, Pressed};
 use crate::model::plane_of_motion::PlaneOfMotion;
 use crate::model::{Loads, Model, prescribed};
 use crate::rows::rotation_row::RotationRow;
 use polhode_contact::{ContactGeometry, ContactKinematics, TangentialKinematics};
 use polhode_dynamics::BodyState;
-use polhode_response::solve::held::Supports;
+use polhode_response::solve::held::{Independence, Supports};
 use polhode_response::{ContactProblem, ResponseError};
 use polhode_spatial::DVec3;
 use std::borrow::Cow;
@@ -107,6 +107,7 @@ pub(crate) struct Assembly {
     rotation_rows: Vec<usize>,
     /// The rows of contacts that a given force presses.
     pressed: Vec<(usize, Pressed)>,
+    last_round: LastRound,
     /// The rows of stops: the joint, and the normal.
     stops: Vec<(usize, usize, DVec3)>,
     /// Which reactions of joints do the same, where that was asked for, or where they press bearings and close loops.
@@ -186,6 +187,7 @@ impl Assembly {
             rotations,
             rotation_rows,
             pressed,
+            last_round: LastRound::default(),
             stops,
             supports,
             bodies,
@@ -417,6 +419,11 @@ impl Assembly {
         self.supports = Some(Supports::of(&self.problem, self.rigid_rows()));
     }
 
+    /// How far the rows of joints are from depending on each other, where that was asked for.
+    pub(crate) fn independence(&self) -> Option<Independence> {
+        self.supports.as_ref().map(Supports::independence)
+    }
+
     /// The same where the joints of these bodies close loops.
     pub(crate) fn with_supports(mut self, model: &Model) -> Self {
         if self.supports.is_none() && !self.bilaterals.is_empty() && held::has_loops_among(model, &self.bodies) {
@@ -487,8 +494,13 @@ impl Assembly {
         let renewed: Vec<(usize, Pressed)> =
             self.pressed.iter().map(|(row, own)| (*row, own.renewed(of_joint, h).unwrap_or(*own))).collect();
         let changes = renewed != self.pressed;
-        self.pressed = renewed;
+        self.pressed = if changes { self.last_round.next(&self.pressed, renewed) } else { renewed };
         Ok(changes)
+    }
+
+    /// How much the loads of bearings have changed by the last round, relative to the largest.
+    pub(crate) fn change_of_pressing(&self) -> f64 {
+        self.last_round.relative_change()
     }
 
     /// Splits generalised velocities, accelerations or forces into (body, linear part, angular part).

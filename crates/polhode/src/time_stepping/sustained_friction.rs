@@ -453,7 +453,7 @@ fn settle(
     loop {
         let mut friction: Vec<Option<TangentialRow>> = first.to_vec();
         let mut problem = solvers.problem(assembly, &constants, known, h);
-        let solved = loop {
+        let mut solved = loop {
             let mut blocks = with_rotations(blocks(&friction, tangents), rotations);
             blocks.hold(friction.len()..*first_tangent);
             let solved = problem.solve(&blocks, |reactions| is_off(violation_of(&friction, tangents, reactions)))?;
@@ -466,7 +466,11 @@ fn settle(
             solvers.last.note(assembly, &solved.reactions, friction.len(), h);
         }
         rounds += 1;
-        if rounds == MOST_ROUNDS_OF_BEARINGS || !assembly.press_by_loads(&solved.reactions, h)? {
+        let is_found = !assembly.press_by_loads(&solved.reactions, h)?;
+        if is_found || rounds == MOST_ROUNDS_OF_BEARINGS {
+            if !is_found {
+                solved.report.residual = solved.report.residual.max(assembly.change_of_pressing());
+            }
             return Ok(Settled { friction, solved, factorisations });
         }
         assembly.press(&mut constants, h);

@@ -26,6 +26,7 @@ mod fast_joint_kinds;
 mod fast_joint_rest;
 mod fast_joints;
 mod fixed_steps;
+mod flat_loops;
 mod flight;
 mod forces;
 mod forces_in_time_steps;
