@@ -269,7 +269,9 @@ impl Search<'_> {
             let longer = self.clear_for(now, window)?;
             step = step.max(longer);
             // The pair is clear for the whole narrow window, so that a wider window may give a longer step.
-            if !(longer >= window) {
+            // Written so that NaN ends it.
+            let is_clear_to_its_end = longer >= window;
+            if !is_clear_to_its_end {
                 break;
             }
         }

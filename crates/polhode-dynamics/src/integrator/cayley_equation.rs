@@ -64,7 +64,9 @@ pub(crate) fn turn(rule: Rule, g: DVec3, d: DVec3) -> Result<DQuat, IntegrationE
         ];
         let (step, determinant) = solve(columns, residual);
         let length = step.length();
-        if determinant <= 0.0 || !(length < last) {
+        // Written so that NaN ends it.
+        let is_shorter = length < last;
+        if determinant <= 0.0 || !is_shorter {
             return Err(IntegrationError::NoConvergence { iterations, change });
         }
         f -= step;

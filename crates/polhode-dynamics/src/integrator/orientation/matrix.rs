@@ -38,7 +38,9 @@ fn orthogonalized(matrix: DMat3) -> DMat3 {
         r = next;
         let [x, y, z] = [change.x_axis, change.y_axis, change.z_axis].map(DVec3::length_squared);
         let change = (x + y + z).sqrt();
-        if change <= rounding::HALF_OF_THE_DIGITS || !(change < last) {
+        // Written so that NaN ends it.
+        let is_smaller = change < last;
+        if change <= rounding::HALF_OF_THE_DIGITS || !is_smaller {
             return r;
         }
         last = change;
