@@ -71,7 +71,8 @@ pub(crate) fn turn(rule: Rule, g: DVec3, d: DVec3) -> Result<DQuat, IntegrationE
         }
         f -= step;
         (change, last) = (length / f.length(), length);
-        if change <= rounding::HALF_OF_THE_DIGITS {
+        // A body that does not turn has no f to compare with.
+        if length <= rounding::HALF_OF_THE_DIGITS * f.length() {
             return Ok(cayley(f));
         }
     }
