@@ -4,17 +4,14 @@
 //! four arguments four times closer to their mean, until a Taylor polynomial of degree seven about it is exact to
 //! round-off. No subtraction of like numbers occurs in the sum, so the result is accurate to a few ulp. Source:
 //! docs/REFERENCES.md, Carlson 1995; DLMF 19.36(i). Arguments: x, y, z not negative and at most one of them zero,
-//! p positive; anything else gives NaN or infinity. The rounds are bounded.
+//! p positive; anything else gives NaN or infinity. The arguments have a positive limit in common, and a round quarters
+//! what is compared with their mean: the rounds end, usually after 4 to 20.
 
 use crate::lanes::Lanes;
 
 /// `(r/4)^(-1/8)` with r = 2^-56: how many times closer than their spread the arguments must be to their mean for the
 /// polynomial's remainder to be below r.
 const CLOSENESS: f64 = 153.0;
-/// More rounds than any doubles need: a quarter per round takes 1e308 down to 1e-3 in 517, and arguments of that
-/// spread do not occur; the usual number is 4 to 20.
-const MAX_ROUNDS: usize = 600;
-
 /// `RJ(x, y, z, p)`.
 pub fn rj(x: f64, y: f64, z: f64, p: f64) -> f64 {
     let [value] = rj_lanes(Lanes([x]), Lanes([y]), Lanes([z]), Lanes([p])).0;
@@ -29,10 +26,9 @@ pub(crate) fn rj_lanes<const N: usize>(x: Lanes<N>, y: Lanes<N>, z: Lanes<N>, p:
     let delta = (p - x) * (p - y) * (p - z);
     let (mut xn, mut yn, mut zn, mut pn, mut mean) = (x, y, z, p, mean0);
     let (mut quarter, mut sum) = (Lanes::splat(1.0), Lanes::splat(0.0));
-    let mut rounds = 0;
     loop {
         let reach = CLOSENESS * quarter * spread;
-        let goes_on: [bool; N] = std::array::from_fn(|i| reach.0[i] >= mean.0[i]);
+        let goes_on: [bool; N] = std::array::from_fn(|i| reach.0[i] > mean.0[i]);
         if goes_on == [false; N] {
             break;
         }
@@ -44,11 +40,6 @@ pub(crate) fn rj_lanes<const N: usize>(x: Lanes<N>, y: Lanes<N>, z: Lanes<N>, p:
         let closer = |a: Lanes<N>| (0.25 * (a + lambda)).where_or(goes_on, a);
         (xn, yn, zn, pn, mean) = (closer(xn), closer(yn), closer(zn), closer(pn), closer(mean));
         quarter = (quarter * 0.25).where_or(goes_on, quarter);
-        rounds += 1;
-        if rounds == MAX_ROUNDS {
-            mean = Lanes::splat(f64::NAN).where_or(goes_on, mean);
-            break;
-        }
     }
     let relative = |a: Lanes<N>| quarter * (mean0 - a) / mean;
     quarter * about_the_mean(relative(x), relative(y), relative(z)) / (mean * mean.sqrt()) + 6.0 * sum

@@ -9,14 +9,11 @@
 use crate::exact_rotation::Path;
 use crate::{BodyState, FreeRotation, RigidBody};
 use glam::{DQuat, DVec3};
+use polhode_spatial::rounding;
 use polhode_spatial::{CompensatedSum, Motion, MotionBounds, Pose, Rotation, Velocity};
 
 /// Flights that are evaluated together where many are asked for.
 const TOGETHER: usize = 4;
-
-/// Factor that covers the rounding of a bound's own evaluation, so that it is never too small: a few dozen
-/// operations, each good to 1.1e-16 relative.
-const ROUNDING: f64 = 1.0 + 64.0 * f64::EPSILON;
 
 /// A body in free flight since `t0`.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -137,8 +134,8 @@ impl Motion for Flight {
         // The velocity runs along a segment, and the length of a vector is convex: its largest value is at an end.
         let speed = self.linear_velocity(t0).length().max(self.linear_velocity(t1).length());
         MotionBounds {
-            speed: speed * ROUNDING,
-            acceleration: self.gravity.length() * ROUNDING,
+            speed: speed * (1.0 + rounding::DOZENS_OF_TERMS),
+            acceleration: self.gravity.length() * (1.0 + rounding::DOZENS_OF_TERMS),
             angular_speed: self.rotation.angular_speed_bound(),
             angular_acceleration: self.rotation.angular_acceleration_bound(),
         }

@@ -9,6 +9,7 @@
 //! gives NaN; the means end after a fixed number of levels.
 
 use crate::lanes::Lanes;
+use polhode_spatial::rounding;
 use std::f64::consts::FRAC_PI_2;
 
 /// Levels after which the means agree for every double in (0, 1], the least subnormal included (it takes 13).
@@ -17,8 +18,6 @@ const LEVELS: usize = 16;
 /// the ladder is made anew at each evaluation, to the same bits: kept in a record for each of many bodies, its room
 /// would drive the rest of them out of the caches.
 const KEPT: usize = 6;
-/// Agreement of the means at which their difference, which is squared at each level, is below round-off.
-const AGREEMENT: f64 = 1e-8;
 /// Below this argument (dimensionless) two terms of the power series are exact to 1e-20, and the ladder would divide by
 /// squares that underflow.
 const SMALL_ARGUMENT: f64 = 1e-5;
@@ -154,7 +153,7 @@ fn ladder(complement: f64) -> ([(f64, f64); LEVELS], usize, f64) {
         *level = (a, b);
         used += 1;
         mean = 0.5 * (a + b);
-        if (a - b).abs() <= AGREEMENT * a {
+        if (a - b).abs() <= rounding::HALF_OF_THE_DIGITS * a {
             break;
         }
         product = a * b;

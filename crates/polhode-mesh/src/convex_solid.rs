@@ -2,7 +2,7 @@
 //!
 //! A convex solid is the intersection of the half-spaces behind its triangles, so a point that lies in each of them
 //! lies in the solid (thesis 3.2). The test is exact for the triangles as they are in memory. A mesh may be convex only
-//! to [`CONVEXITY_TOLERANCE`](crate::convexity::CONVEXITY_TOLERANCE); then points within its dents count as outside,
+//! to [`DIGITS_OF_A_FILE`](polhode_spatial::rounding::DIGITS_OF_A_FILE); then points within its dents count as outside,
 //! which [`PointLocator`](crate::PointLocator) does not do. Cost: one determinant a triangle.
 
 use crate::point_location::PointLocation;
@@ -28,7 +28,7 @@ pub struct ConvexSolid {
 }
 
 impl ConvexSolid {
-    /// Takes a solid that is convex to [`CONVEXITY_TOLERANCE`](crate::convexity::CONVEXITY_TOLERANCE).
+    /// Takes a solid that is convex to [`DIGITS_OF_A_FILE`](polhode_spatial::rounding::DIGITS_OF_A_FILE).
     ///
     /// # Errors
     /// [`NotConvexError`] says how far it is from that.

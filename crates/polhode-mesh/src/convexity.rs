@@ -11,12 +11,8 @@
 use crate::triangle_mesh::{Bounds, COORDINATE_ROUNDING};
 use crate::{SolidMesh, TriangleMesh};
 use glam::DVec3;
+use polhode_spatial::rounding;
 use std::ops::Range;
-
-/// How far a vertex of a convex solid may stand in front of a face's plane, relative to the solid's size
-/// (dimensionless): the same 1e-9 up to which bodies count as touching, far above rounding and far below what a
-/// person calls a dent.
-pub const CONVEXITY_TOLERANCE: f64 = 1e-9;
 
 /// Vertices in a leaf of the tree; between 4 and 32 the time hardly changes.
 const LEAF: usize = 8;
@@ -34,9 +30,9 @@ pub struct Convexity {
 }
 
 impl Convexity {
-    /// Whether the solid is convex to [`CONVEXITY_TOLERANCE`].
+    /// Whether the solid is convex to [`rounding::DIGITS_OF_A_FILE`].
     pub fn is_convex(&self) -> bool {
-        self.excess <= CONVEXITY_TOLERANCE * self.size
+        self.excess <= rounding::DIGITS_OF_A_FILE * self.size
     }
 }
 

@@ -11,9 +11,6 @@ const EXACT_POWERS: [f64; 23] = [
     1e21, 1e22,
 ];
 
-/// Most digits that always fit 64 bits.
-const MOST_DIGITS: usize = 19;
-
 /// The number that `text` is, if it is one; NaN and infinities are numbers here.
 #[inline]
 pub(crate) fn parse(text: &[u8]) -> Option<f64> {
@@ -42,7 +39,7 @@ fn quick(text: &[u8]) -> Option<f64> {
         }
         at += 1;
     }
-    if count == 0 || count > MOST_DIGITS || mantissa > 1 << f64::MANTISSA_DIGITS {
+    if count == 0 || count > u64::MAX.ilog10() as usize || mantissa > 1 << f64::MANTISSA_DIGITS {
         return None;
     }
     if let Some(point) = point {

@@ -10,11 +10,9 @@
 use crate::mesh_builder::MeshBuilder;
 use crate::read_error::{Place, ReadError, ReadErrorKind};
 use crate::triangle_mesh::TriangleMesh;
+use crate::words::FEWEST_BYTES;
 use crate::words::{Joining, Word, Words};
 use std::fmt::Write;
-
-/// Fewest bytes of a vertex (`0 0 0` and a line end) and of a face (`3 0 1 2` and a line end).
-const FEWEST_BYTES: (usize, usize) = (6, 8);
 
 /// Reads a mesh from the bytes of an OFF file.
 ///
@@ -35,7 +33,8 @@ pub fn read(bytes: &[u8]) -> Result<TriangleMesh, ReadError> {
     check_keyword(header)?;
     let [vertices, faces] = counts(&mut words)?;
     let room = |claimed: u64, bytes: usize| claimed.min((words.remaining() / bytes) as u64) as usize;
-    let mut mesh = MeshBuilder::with_room_for(room(vertices, FEWEST_BYTES.0), room(faces, FEWEST_BYTES.1));
+    // A vertex has three numbers, a face as many and how many there are.
+    let mut mesh = MeshBuilder::with_room_for(room(vertices, 3 * FEWEST_BYTES), room(faces, 4 * FEWEST_BYTES));
     for found in 0..vertices {
         let word = statement(&mut words, "vertices", vertices, found)?;
         vertex(word, &mut words, &mut mesh)?;

@@ -45,6 +45,9 @@ impl Word<'_> {
     }
 }
 
+/// Fewest bytes of a number in text: a digit and what separates it from the next.
+pub(crate) const FEWEST_BYTES: usize = 2;
+
 /// Reads words from bytes.
 #[derive(Debug, Clone)]
 pub(crate) struct Words<'a> {

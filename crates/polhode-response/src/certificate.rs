@@ -18,8 +18,8 @@
 //! Therefore `a - a* = (1 - Proj)(a_free) - (1 - Proj)(a_free - d)`, and since `1 - Proj` is nonexpansive for a
 //! projection on a convex set, `|a - a*|_M <= |d|_M = sqrt(y.G_PP y)`. Neither strict complementarity nor a unique set
 //! `P` is needed, and rows that depend on `P` only have to stay above zero. Where they fall below it by no more than
-//! the rounding of their terms (`DEPENDENT_ROUNDING`), the bound is that of a problem with `b_i` higher by as much:
-//! the data do not tell the two apart. `b`, `J` and `M^-1` count as exact; `r` is summed in twice the precision.
+//! the rounding of their terms (`rounding::DOZENS_OF_TERMS`), the bound is that of a problem with `b_i` higher by as
+//! much: the data do not tell the two apart. `b`, `J` and `M^-1` count as exact; `r` is summed in twice the precision.
 //!
 //! Source: natural map, Facchinei and Pang 2003; nonexpansive projection, Moreau 1965; bounds: derived for this project
 //! (the projection property of Gauss's principle), never violated on the random problems of the tests. Where rounding
@@ -31,17 +31,9 @@ use crate::dense::kernels::axpy;
 use crate::dense::scalar::Scalar;
 use crate::error::{ResponseError, check_length};
 
-/// What a row that depends on those that carry the forces may fall below zero by, relative to its terms (no unit): the
-/// rounding of some dozen terms, of which the data do not know more.
-pub(crate) const DEPENDENT_ROUNDING: f64 = 64.0 * f64::EPSILON;
-
 /// The active set bound is enlarged by this, for the rounding of the factor (no unit): relative pivots down to
 /// [`TRUSTED_PIVOT`] leave less.
 pub(crate) const FACTOR_MARGIN: f64 = 1.01;
-
-/// Smallest relative pivot of a factor that the active set bound relies on (no unit): a hundred rounding units over
-/// this are the margin.
-pub(crate) const TRUSTED_PIVOT: f64 = 1e-12;
 
 /// Residual of the natural map, relative to the terms of each row.
 ///

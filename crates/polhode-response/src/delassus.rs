@@ -13,8 +13,9 @@
 use crate::dense::kernels::axpy;
 use crate::dense::semidefinite::{Defect, find_defect};
 use crate::error::{ResponseError, check_finite, check_length};
-use crate::problem::{BLOCK_ROUNDING, ContactProblem, RowEntry};
+use crate::problem::{ContactProblem, RowEntry};
 use crate::solve::way::IMPACT_IN_BODIES;
+use crate::tolerances::MATRIX_ROUNDING;
 use std::sync::Arc;
 
 /// A dense, exactly symmetric Delassus matrix.
@@ -112,13 +113,13 @@ impl Delassus {
 pub fn check_delassus(size: usize, entries: &[f64]) -> Result<(), ResponseError> {
     check_length("Delassus matrix", size.saturating_mul(size), entries.len())?;
     check_finite("Delassus matrix", entries)?;
-    match find_defect(entries, size, BLOCK_ROUNDING) {
+    match find_defect(entries, size, MATRIX_ROUNDING) {
         None => Ok(()),
         Some(Defect::Asymmetric { row, column }) => {
             let (value, other) = (entries[row * size + column], entries[column * size + row]);
             Err(ResponseError::Asymmetric { row, column, value, other })
         }
-        Some(Defect::Indefinite { row, part }) => Err(ResponseError::Indefinite { row, part, limit: BLOCK_ROUNDING }),
+        Some(Defect::Indefinite { row, part }) => Err(ResponseError::Indefinite { row, part, limit: MATRIX_ROUNDING }),
     }
 }
 

@@ -20,18 +20,16 @@ use crate::census::{self, Chain, Size};
 use crate::certificate::{nan_max, power_bound, row_accelerations, row_residual, row_scales};
 use crate::delassus::Delassus;
 use crate::error::{ResponseError, check_finite, check_length};
-use crate::least_force::INDEPENDENT_PIVOT;
 use crate::report::{Method, SolverReport, SolverStatus};
 use crate::settings::SolverSettings;
+use crate::tolerances::DEPENDENT;
+use crate::tolerances::ZERO_CUT;
 
 /// Most contacts whose sets are tried (16 to 24): a million sets take about a second.
 pub const MOST_GUESSED: usize = 20;
 
 /// Rounding of forces and accelerations of a set that fits, relative to their terms (no unit).
 const FITS: f64 = 1e-11;
-
-/// Accelerations below this fraction of their scale are zero: the contact does not vanish (no unit).
-const VANISHES: f64 = 1e-9;
 
 /// Forces found by guessing.
 #[derive(Debug, Clone, PartialEq)]
@@ -141,7 +139,7 @@ impl Factor {
             }
             let own = delassus.get(row, row);
             let left = own - line.iter().map(|entry| entry * entry).sum::<f64>();
-            if left.is_nan() || left <= INDEPENDENT_PIVOT * own {
+            if left.is_nan() || left <= DEPENDENT * own {
                 return None;
             }
             line.push(left.sqrt());
@@ -185,6 +183,6 @@ fn answer(
         rank: forces.iter().filter(|force| **force > 0.0).count(),
         ..SolverReport::default()
     };
-    let vanishing = (0..w.len()).filter(|&row| w[row] > VANISHES * scales[row]).collect();
+    let vanishing = (0..w.len()).filter(|&row| w[row] > ZERO_CUT * scales[row]).collect();
     GuessedForces { forces, residual_accelerations: w, vanishing, guesses, report }
 }

@@ -18,9 +18,10 @@
 use crate::certificate::{row_accelerations, row_scales};
 use crate::delassus::Delassus;
 use crate::error::ResponseError;
-use crate::least_force::{LeastForceStage, ZERO_CUT, least_force};
+use crate::least_force::{LeastForceStage, least_force};
 use crate::report::SolverReport;
 use crate::settings::SolverSettings;
+use crate::tolerances::ZERO_CUT;
 
 /// Forces of the heuristic, and how they were found.
 #[derive(Debug, Clone, PartialEq)]

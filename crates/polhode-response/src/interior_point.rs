@@ -10,6 +10,7 @@
 //! accepted. Failure: `None`.
 
 use crate::dense::kernels::largest;
+use crate::tolerances::LEAST_CHANGE;
 use clarabel::algebra::CscMatrix;
 use clarabel::solver::{
     DefaultSettings, DefaultSolver, IPSolver, NonnegativeConeT, SecondOrderConeT, SolverStatus, ZeroConeT,
@@ -18,8 +19,9 @@ use clarabel::solver::{
 /// Gap and feasibility tolerance, relative to data of unit size (no unit); below 1e-12 there is no gain.
 const TOLERANCE: f64 = 1e-12;
 
-/// Tolerance of the refinement of clarabel's linear systems (no unit): a few rounding units.
-const REFINEMENT: f64 = 1e-15;
+/// What an answer of the interior point may be off by, relative to data of unit size (no unit, 1e-10 to 1e-8): its
+/// tolerance with a margin.
+pub(crate) const ANSWER_ERROR: f64 = 1e-9;
 
 /// Tolerances of linear programmes, tried in turn: singular matrices do not always allow the first. The answer is made
 /// exact afterwards, and its residual is checked.
@@ -223,8 +225,8 @@ fn settings(tolerance: f64) -> DefaultSettings<f64> {
         tol_gap_abs: tolerance,
         tol_gap_rel: tolerance,
         tol_feas: tolerance,
-        iterative_refinement_reltol: REFINEMENT,
-        iterative_refinement_abstol: REFINEMENT,
+        iterative_refinement_reltol: LEAST_CHANGE,
+        iterative_refinement_abstol: LEAST_CHANGE,
         ..DefaultSettings::default()
     }
 }

@@ -24,8 +24,9 @@ use std::ops::Range;
 /// Most rows of a contact that resists its slip alone: the normal and two tangents.
 pub(crate) const CONTACT_ROWS: usize = 3;
 
-/// Most rows of a block: those of a contact, two axes of rolling and that of spinning.
-pub(crate) const MOST_ROWS: usize = 6;
+/// Most rows of a block: those of a contact, two axes of rolling and that of spinning; a joint that holds all relative
+/// motion has as many.
+pub const MOST_ROWS: usize = 6;
 
 /// Parts of a contact that resist: its slip, its rolling, its spinning.
 pub(crate) const PARTS: usize = 3;

@@ -21,20 +21,15 @@ use crate::error::{ResponseError, check_finite, check_length};
 use crate::interior_point::{LinearProgramme, least_sum};
 use crate::report::{Method, SolverReport, SolverStatus};
 use crate::settings::SolverSettings;
+use crate::tolerances::DEPENDENT;
+use crate::tolerances::ZERO_CUT;
 
 /// Forces and accelerations of the linear programme count as zero below this multiple of its tolerance (no unit): the
 /// interior point leaves zeros of about that size.
 const ZERO_FACTOR: f64 = 1e3;
 
-/// Accelerations of an exact answer below this fraction of their scale count as zero (no unit).
-pub(crate) const ZERO_CUT: f64 = 1e-9;
-
 /// Rounding of forces and accelerations after they have been made exact (no unit).
 const EXACT: f64 = 1e-12;
-
-/// Rows whose relative pivot is below this depend on others (no unit). Pivots are quadratic in distances: contacts that
-/// are 1e-5 of the lever arm apart are taken as one; rounding of pivots is below 1e-14.
-pub(crate) const INDEPENDENT_PIVOT: f64 = 1e-10;
 
 /// Which step gave the answer.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -259,7 +254,7 @@ fn independent_rows(delassus: &Delassus, rows: &[usize]) -> Vec<usize> {
         let larger = |best, k| if relative(open[k]) > relative(open[best]) { k } else { best };
         let Some(position) = (0..open.len()).reduce(larger) else { break };
         let next = open[position];
-        if relative(next) <= INDEPENDENT_PIVOT {
+        if relative(next) <= DEPENDENT {
             break;
         }
         open.remove(position);

@@ -28,11 +28,15 @@ use crate::delassus::Delassus;
 use crate::dense::cholesky::GrowingCholesky;
 use crate::dense::householder::PivotedQr;
 use crate::dense::kernels::{dot, largest};
+use crate::dense::scalar::Scalar;
 use crate::error::{ResponseError, check_finite, check_length};
 use crate::friction::Blocks;
 #[cfg(feature = "census")]
 use crate::report::SolverStatus;
-use crate::sliding::{DEPENDENT_COLUMN, SlidingRow, check_rows, held_by_forces};
+use crate::sliding::{SlidingRow, check_rows, held_by_forces};
+use crate::tolerances::DECREASE;
+use crate::tolerances::DEPENDENT;
+use polhode_spatial::rounding;
 
 /// A force exceeds its cone from this much above it on, relative to the largest force (no unit, 1e-11 to 1e-10).
 pub(crate) const EXCEEDED: f64 = 5e-11;
@@ -40,22 +44,10 @@ pub(crate) const EXCEEDED: f64 = 5e-11;
 /// Most steps of Newton's method: some ten come to rounding where forces lie well within the cones.
 const MOST_NEWTON_STEPS: u32 = 60;
 
-/// What the constraints may be missed by, relative to the largest force (no unit): rounding of some hundred terms.
-const MISSED: f64 = 1e-13;
-
 /// Least that is added to the diagonal of Newton's matrix, whose entries are at most 1 (no unit). Far from the answer
 /// it is the gradient, relative to the largest force: in directions in which the projection does not change, steps stay
 /// as long as forces are, and near the answer they are as good as Newton's.
 const LEAST_DUAL_DAMPING: f64 = 1e-12;
-
-/// Part of the slope that a step must gain (Armijo; no unit, below a half).
-const GAIN: f64 = 1e-4;
-
-/// Halvings of a step before it counts as no descent.
-const MOST_HALVINGS: u32 = 30;
-
-/// Rounding of the dual function, relative to its terms (no unit).
-const FUNCTION_ROUNDING: f64 = 1e-14;
 
 /// One cone: a normal force, and forces along rows that it bounds.
 #[derive(Debug)]
@@ -279,7 +271,7 @@ impl<'a> Dual<'a> {
             constraints[start + normal] = 1.0;
             constraints[start + held + copy] = -1.0;
         }
-        let factor = PivotedQr::factor(variables, held + cones.copies.len(), constraints, DEPENDENT_COLUMN);
+        let factor = PivotedQr::factor(variables, held + cones.copies.len(), constraints, DEPENDENT);
         let mut wanted = first.to_vec();
         factor.apply_transpose(&mut wanted);
         wanted.truncate(factor.rank());
@@ -325,20 +317,21 @@ impl<'a> Dual<'a> {
             let projected = self.projected(&spread);
             let gradient: Vec<f64> =
                 self.gather(projected.clone()).iter().zip(&self.wanted).map(|(own, wanted)| own - wanted).collect();
-            if largest(&gradient) <= MISSED * self.scale {
+            if largest(&gradient) <= rounding::HUNDREDS_OF_TERMS * self.scale {
                 return Some(projected);
             }
             let step = self.newton_step(&spread, &gradient)?;
             let slope = dot(&step, &gradient);
             let value = self.value(&y, &projected);
-            let rounding = FUNCTION_ROUNDING * (value.abs() + dot(&projected, &projected));
-            let shorter = |halvings: u32| {
-                let length = 1.0 / f64::from(1_u32 << halvings);
+            let slack = f64::ROUNDING * (value.abs() + dot(&projected, &projected));
+            let shorter = |length: f64| {
                 let tried: Vec<f64> = y.iter().zip(&step).map(|(y, step)| y + length * step).collect();
                 let found = self.value(&tried, &self.projected(&self.spread(&tried)));
-                (found <= value + GAIN * length * slope + rounding).then_some(tried)
+                (found <= value + DECREASE * length * slope + slack).then_some(tried)
             };
-            y = (0..MOST_HALVINGS).find_map(shorter)?;
+            // A length that is rounding of the whole step is no step.
+            let halved = |length: &f64| Some(0.5 * length).filter(|length| *length > rounding::FEW_TERMS);
+            y = std::iter::successors(Some(1.0), halved).find_map(shorter)?;
         }
         None
     }

@@ -34,6 +34,7 @@
 //! | `least_in_cones` | the least forces within the cones of friction that hold what some forces hold |
 //! | `penalty` | spring laws of contacts |
 //! | `precise` | rates of rows, body by body, in twice the working precision |
+//! | `tolerances` | what several methods compare with |
 //!
 //! This crate is all that a program needs to name. Its signatures speak of numbers alone; vectors to build rows from,
 //! and mass properties, are under [`spatial`]. Programs of ten lines stand in the folder `examples` of the crate:
@@ -116,6 +117,7 @@ pub mod settings;
 pub mod sliding;
 pub mod solve;
 pub mod sparse;
+mod tolerances;
 
 pub use complementarity::{ComplementaritySolver, ContactSolution, WarmStart, solve_complementarity};
 pub use delassus::{Delassus, check_delassus};

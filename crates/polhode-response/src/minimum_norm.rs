@@ -18,31 +18,16 @@ use crate::complementarity::active_set::{ActiveSet, Outcome, Problem};
 use crate::complementarity::rank::Rank;
 use crate::dense::householder::PivotedQr;
 use crate::dense::kernels::{axpy, dot, largest};
+use crate::dense::scalar::Scalar;
 use crate::error::{ResponseError, check_finite, check_length};
 use crate::problem::ContactProblem;
 use crate::settings::SolverSettings;
-
-/// A negative force below this fraction of the largest is rounding of zero (no unit).
-const FORCE_ROUNDING: f64 = 1e-14;
-
-/// A change of the motion below this fraction of its terms is left alone (no unit): ten times the rounding unit.
-const MOTION_ROUNDING: f64 = 1e-15;
+use crate::tolerances::LEAST_CHANGE;
+use polhode_spatial::rounding;
 
 /// Least forces that change the motion by more than this fraction of its terms are not used (no unit): contacts almost
 /// in one place or line make the choice ill-conditioned, and the motion comes first.
 const MOTION_LIMIT: f64 = 1e-11;
-
-/// Singular directions of `J` below this fraction take no part in the first correction of rounding (no unit): the
-/// square root of the rounding unit, so that the correction is well-conditioned.
-const RESTORE_CUT: f64 = 1e-8;
-
-/// A Schur complement of the projector below this fraction of its terms is rounding (no unit): a hundred times the
-/// rounding of the projector.
-const PROJECTOR_CUT: f64 = 1e-13;
-
-/// A force that stays negative by less than this fraction of its terms is rounding of the given forces (no unit): the
-/// square root of the rounding unit.
-const MULTIPLIER_ROUNDING: f64 = 1e-8;
 
 /// Forces of least norm.
 #[derive(Debug, Clone, PartialEq)]
@@ -101,8 +86,8 @@ pub(crate) fn least_norm(
     }
     let Some(mut least) = admissible_least(&qr, &given, &bilateral, settings) else { return unchanged(freedom, false) };
     let mut motion_change = jacobian.motion_change(&given, &least);
-    for cut in [RESTORE_CUT, settings.null_space_cut] {
-        if motion_change > MOTION_ROUNDING {
+    for cut in [rounding::HALF_OF_THE_DIGITS, settings.null_space_cut] {
+        if motion_change > LEAST_CHANGE {
             let restored = jacobian.restored_motion(&given, &least, &bilateral, cut);
             let change = jacobian.motion_change(&given, &restored);
             if change < motion_change {
@@ -217,7 +202,7 @@ fn admissible_least(qr: &PivotedQr, given: &[f64], bilateral: &[bool], settings:
     qr.apply_transpose(&mut projected);
     projected[qr.rank()..].fill(0.0);
     qr.apply(&mut projected);
-    let rounding = FORCE_ROUNDING * largest(&projected);
+    let rounding = f64::ROUNDING * largest(&projected);
     if projected.iter().zip(bilateral).all(|(&force, &bilateral)| bilateral || force >= -rounding) {
         return Some(projected.iter().zip(bilateral).map(|(&force, &bilateral)| admitted(bilateral, force)).collect());
     }
@@ -249,7 +234,7 @@ fn admissible_least(qr: &PivotedQr, given: &[f64], bilateral: &[bool], settings:
     let start: Vec<usize> = (0..contacts.len()).filter(|&k| constant[k] < -rounding).collect();
     // The projection mixes all forces, so its rounding is that of the largest.
     let settings = &SolverSettings { noise_floor: rounding, ..*settings };
-    let (rank, squeeze_rounding) = (Rank::Pivot(PROJECTOR_CUT), MULTIPLIER_ROUNDING);
+    let (rank, squeeze_rounding) = (Rank::Pivot(rounding::HUNDREDS_OF_TERMS), rounding::HALF_OF_THE_DIGITS);
     let problem = Problem { matrix: &matrix, constant: &constant, bilateral: &[], rank, squeeze_rounding, settings };
     if active_set.run(problem, &start) != Outcome::Converged {
         return None;

@@ -16,11 +16,8 @@
 use crate::dense::kernels::{axpy, dot};
 use crate::error::{ResponseError, check_finite, check_length};
 use crate::law::Law;
+use crate::tolerances::MATRIX_ROUNDING;
 use std::ops::Range;
-
-/// Largest relative asymmetry and negative pivot of an inverse mass block, or a Delassus matrix, that counts as
-/// rounding (no unit).
-pub(crate) const BLOCK_ROUNDING: f64 = 1e-12;
 
 /// Rows for which memory is taken with the first one: those of four contacts with friction. Of more it grows.
 const FIRST_ROWS: usize = 12;
@@ -525,12 +522,12 @@ fn is_semidefinite(matrix: &[f64], width: usize, reduced: &mut Vec<f64>) -> bool
         for i in k + 1..width {
             // Bodies have blocks that are symmetric exactly and mostly zero: nothing is computed for those entries.
             let asymmetry = (at(i, k) - at(k, i)).abs();
-            if asymmetry > 0.0 && asymmetry > BLOCK_ROUNDING * (at(i, i).abs() * at(k, k).abs()).sqrt() {
+            if asymmetry > 0.0 && asymmetry > MATRIX_ROUNDING * (at(i, i).abs() * at(k, k).abs()).sqrt() {
                 return false;
             }
         }
         let pivot = reduced[k * width + k];
-        let rounding = BLOCK_ROUNDING * at(k, k).abs();
+        let rounding = MATRIX_ROUNDING * at(k, k).abs();
         if pivot < -rounding || at(k, k) < 0.0 {
             return false;
         }

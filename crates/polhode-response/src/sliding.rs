@@ -30,11 +30,8 @@ use crate::precise;
 use crate::problem::ContactProblem;
 #[cfg(feature = "census")]
 use crate::report::SolverStatus;
+use crate::tolerances::DEPENDENT;
 use polhode_spatial::DoubleDouble;
-
-/// Columns below this fraction of the largest depend on the others (no unit): quadratic in distances, so
-/// that contacts that are 1e-5 of the lever arm apart are taken as one.
-pub(crate) const DEPENDENT_COLUMN: f64 = 1e-10;
 
 /// Forces that accelerate every row by less than this fraction of what forces would one by one move nothing (no unit,
 /// 1e-12 to 1e-6): far above the rounding of the sums, and below what directions of slip that are nearly one make.
@@ -97,7 +94,7 @@ pub fn least_norm_sliding_forces(
             *entry *= row_scale * column_scale;
         }
     }
-    let factor = PivotedQr::factor(held, held, matrix.clone(), DEPENDENT_COLUMN);
+    let factor = PivotedQr::factor(held, held, matrix.clone(), DEPENDENT);
     let wanted: Vec<f64> = b.iter().zip(&scale).map(|(b, scale)| -b * scale).collect();
     let mut scaled = factor.solve_transpose(&wanted);
     for _ in 0..REFINEMENTS {
@@ -201,7 +198,7 @@ pub fn motion_depends_on_choice(
     let rows = delassus.len();
     check_length("rows held and sliding", rows, held + sliding.len())?;
     check_rows(sliding, held, rows)?;
-    let factor = PivotedQr::factor(held, held, held_by_forces(delassus, held, sliding), DEPENDENT_COLUMN);
+    let factor = PivotedQr::factor(held, held, held_by_forces(delassus, held, sliding), DEPENDENT);
     for column in factor.rank()..held {
         let mut change = vec![0.0; held];
         change[column] = 1.0;
@@ -252,7 +249,7 @@ fn take_least(factor: &PivotedQr, scale: &[f64], forces: &mut [f64]) {
             *entry *= scale;
         }
     }
-    let idle = PivotedQr::factor(held, held - rank, undetermined, DEPENDENT_COLUMN);
+    let idle = PivotedQr::factor(held, held - rank, undetermined, DEPENDENT);
     idle.remove_range(forces);
 }
 

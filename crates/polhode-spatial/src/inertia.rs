@@ -4,19 +4,10 @@
 //! principal moments that satisfy the triangle inequality `I1 + I2 >= I3`; here they must be positive, because a
 //! body without inertia about an axis has no equation of motion about it.
 
+use crate::rounding;
 use crate::{PrincipalAxes, Rotation};
 use glam::{DMat3, DVec3};
 use thiserror::Error;
-
-/// Slack of the triangle inequality and of symmetry, relative to the largest moment: what rounding of a thin plate,
-/// for which the inequality is an equality, and of typed digits leaves.
-pub const VALIDITY_TOLERANCE: f64 = 1e-9;
-
-/// Smallest eigenvalue of an inertia scaled to a diagonal of ones (dimensionless) that is told from zero. The elements
-/// of a matrix are rounded to `2^-53` of themselves, so an eigenvalue of the scaled matrix below a few of these may as
-/// well be zero or negative: the moment of a rod about its own axis, in axes that are not its own. A needle along an
-/// axis has a diagonal inertia, which scales to the identity, and may be as thin as it likes.
-pub const SINGULARITY: f64 = 8.0 * f64::EPSILON;
 
 /// A valid rotational inertia about some point in some axes, kg m^2.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -53,7 +44,7 @@ pub enum InertiaError {
 }
 
 impl Inertia {
-    /// From a matrix that is symmetric to [`VALIDITY_TOLERANCE`]; the mean of the two triangles is kept.
+    /// From a matrix that is symmetric to [`rounding::DIGITS_OF_A_FILE`]; the mean of the two triangles is kept.
     ///
     /// # Errors
     /// When the matrix is not finite, not symmetric, not positive definite or breaks the triangle inequality.
@@ -64,7 +55,7 @@ impl Inertia {
         let scale = matrix.to_cols_array().iter().fold(0.0f64, |m, x| m.max(x.abs()));
         for (row, column) in [(0, 1), (0, 2), (1, 2)] {
             let (upper, lower) = (matrix.col(column)[row], matrix.col(row)[column]);
-            if (upper - lower).abs() > VALIDITY_TOLERANCE * scale {
+            if (upper - lower).abs() > rounding::DIGITS_OF_A_FILE * scale {
                 return Err(InertiaError::NotSymmetric { row, column, upper, lower });
             }
         }
@@ -72,10 +63,10 @@ impl Inertia {
         let symmetric = matrix * 0.5 + matrix.transpose() * 0.5;
         let moments = PrincipalAxes::of(&symmetric).moments();
         let correlation = smallest_correlation(&symmetric);
-        if moments.x <= 0.0 || correlation <= SINGULARITY || correlation.is_nan() {
+        if moments.x <= 0.0 || correlation <= rounding::FEW_TERMS || correlation.is_nan() {
             return Err(InertiaError::NotPositive(moments.x));
         }
-        if moments.z - moments.x - moments.y > VALIDITY_TOLERANCE * moments.z {
+        if moments.z - moments.x - moments.y > rounding::DIGITS_OF_A_FILE * moments.z {
             return Err(InertiaError::TriangleInequality(moments));
         }
         Ok(Self(symmetric))

@@ -18,6 +18,7 @@
 //! | [`principal_axes`] | eigen-decomposition of symmetric 3x3 matrices |
 //! | [`mass_properties`] | [`MassProperties`], [`Mass`], [`Density`] |
 //! | [`compensated_sum`] | [`CompensatedSum`] after Neumaier |
+//! | [`rounding`] | what rounding and the digits of files leave |
 //! | [`double_double`] | [`DoubleDouble`]: twice the working precision |
 //! | [`disjoint_sets`] | [`DisjointSets`]: which members are connected |
 //! | [`split_mix`] | [`SplitMix64`]: pseudo-random numbers, the same everywhere |
@@ -57,6 +58,7 @@ pub mod motion;
 pub mod pose;
 pub mod principal_axes;
 pub mod rotation;
+pub mod rounding;
 pub mod split_mix;
 pub mod unit_vector;
 pub mod velocity;

@@ -7,10 +7,6 @@
 use crate::Rotation;
 use glam::{DMat3, DVec3};
 
-/// Sweeps after which Jacobi's method has converged for every symmetric matrix (five or six is usual; the bound only
-/// guards against non-finite input).
-const MAX_SWEEPS: usize = 32;
-
 /// Principal moments in ascending order and the right-handed axes that belong to them.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PrincipalAxes {
@@ -69,7 +65,9 @@ fn symmetric_eigen(matrix: &DMat3) -> (DVec3, DMat3) {
         a[i][j] = a[j][i];
     }
     let mut v = DMat3::IDENTITY.to_cols_array_2d();
-    for _ in 0..MAX_SWEEPS {
+    // Each rotation lessens the sum of squares off the diagonal, soon quadratically, until they are negligible; five or
+    // six sweeps are usual. What is not finite counts as negligible.
+    loop {
         let mut rotated = false;
         for (p, q) in [(0, 1), (0, 2), (1, 2)] {
             rotated |= jacobi_rotate(&mut a, &mut v, p, q);

@@ -3,6 +3,10 @@
 use glam::DVec3;
 use thiserror::Error;
 
+/// Directions that differ by less than this are one (a component, a length, a sine or a cosine to a right angle; no
+/// unit): far above the rounding of computed directions, far below the angle of any two faces that are not coplanar.
+pub const SAME_DIRECTION: f64 = 1e-9;
+
 /// A vector of length one to round-off.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct UnitVector(DVec3);

@@ -16,10 +16,8 @@ use std::fmt::Debug;
 /// Cells with at most this many boxes are not split further: a split costs several passes over them.
 const LEAF_BOXES: usize = 16;
 
-/// Most levels of cells. A worthwhile split about halves a cell, so that only strongly clustered boxes need this many.
-const MOST_LEVELS: usize = 48;
-
-/// A split is worthwhile when it leaves at most this fraction of the comparisons.
+/// A split is worthwhile when it leaves at most this fraction of the comparisons: as that of the larger side is one of
+/// them, there are at most about a hundred levels of a million boxes.
 const WORTHWHILE: f64 = 0.8;
 
 /// A division of a cell into sides; every point lies on exactly one of them.
@@ -105,7 +103,7 @@ impl<R: SplitRule> Partition<R> {
     fn visit(&mut self, start: usize, found: &mut PairCollector) {
         let end = self.members.len();
         let cell = Cell { boxes: &self.boxes.near, members: &self.members[start..] };
-        let may_split = end - start > LEAF_BOXES && self.path.len() < MOST_LEVELS;
+        let may_split = end - start > LEAF_BOXES;
         let Some(split) = (if may_split { self.rule.split(&cell) } else { None }) else {
             self.compare_all(start, found);
             return;

@@ -8,6 +8,7 @@
 
 use super::pair_collector::{PairCollector, PairSearch};
 use crate::Aabb;
+use crate::shape::LARGEST_LENGTH;
 use glam::DVec3;
 
 /// The axis is changed when the variance along another one is larger by this factor: a change costs a full sort.
@@ -15,9 +16,6 @@ const AXIS_CHANGE: f64 = 1.5;
 
 /// Insertion sort is abandoned for a full sort after this many moves per box.
 const MOST_MOVES_PER_BOX: usize = 16;
-
-/// Coordinates are clamped to this (m) for the choice of the axis, so that squares stay finite.
-const LARGEST_FOR_VARIANCE: f64 = 1e60;
 
 /// One box in the order of the sweep.
 #[derive(Debug, Clone, Copy)]
@@ -68,7 +66,7 @@ impl PairSearch for SweepAndPrune {
 
 impl SweepAndPrune {
     fn choose_axis(&mut self, boxes: &[Aabb]) {
-        let limit = DVec3::splat(LARGEST_FOR_VARIANCE);
+        let limit = DVec3::splat(LARGEST_LENGTH);
         let center = |aabb: &Aabb| 0.5 * (aabb.min().clamp(-limit, limit) + aabb.max().clamp(-limit, limit));
         let share = 1.0 / boxes.len().max(1) as f64;
         let mean = boxes.iter().map(|aabb| center(aabb) * share).sum::<DVec3>();

@@ -15,5 +15,6 @@ mod place_tolerance;
 
 pub use pair_tolerance::{joint_size, resolution, scale, touch_tolerance};
 pub use place_tolerance::{COINCIDENCE, PARALLEL_SINE, RESOLUTION_ULPS};
+pub(crate) use place_tolerance::{FLUSH_COSINE, ONE_PLACE, SIEVE_SLACK};
 
 pub(crate) use place_tolerance::{place_tolerance, place_tolerance_of_sizes};

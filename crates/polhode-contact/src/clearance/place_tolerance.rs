@@ -6,6 +6,17 @@ use glam::DVec3;
 /// vertex, an edge along an edge. Far above the rounding of computed coordinates, far below anything measurable.
 pub const COINCIDENCE: f64 = 1e-12;
 
+/// Two faces whose normals have a larger cosine lie flush, and two edges whose directions have it lie along each other.
+pub(crate) const FLUSH_COSINE: f64 = 1.0 - 1e-12;
+
+/// Two places of a circle that are nearer to each other than this angle (rad) are one: samples and Newton's method on
+/// a minimum locate a place only to the square root of rounding.
+pub(crate) const ONE_PLACE: f64 = 1e-6;
+
+/// Bound of the rounding of a square or a distance, relative to the lengths that it is computed from, by which features
+/// are told to be out of the question.
+pub(crate) const SIEVE_SLACK: f64 = 1e-9;
+
 /// Two edges, lines or axes whose directions differ by less than this (sine of the angle) are parallel: the direction
 /// of their common perpendicular would be uncertain by more than the machine's epsilon over this, 2e-9.
 pub const PARALLEL_SINE: f64 = 1e-7;

@@ -12,13 +12,10 @@ use std::collections::BinaryHeap;
 /// Subdivision continues while cutting the part with the shortest time lengthens this time by at least this factor.
 const GAIN: f64 = 1.25;
 
-/// Largest number of cuts in one window. Rings that touch while nearly coplanar need many.
-const MOST: u32 = 2048;
-
 /// Number of cuts that every window may use. Few windows gain from more.
 const EACH: u32 = 256;
 
-/// Number of additional cuts, for all windows of a search together.
+/// Number of additional cuts, for all windows of a search together. Rings that touch while nearly coplanar need many.
 const SPARE: u32 = 4096;
 
 /// A part of two bodies, and how long it certainly stays clear, s. In the order, a shorter time is greater, so that
@@ -78,7 +75,7 @@ impl Cuts {
     ) -> f64 {
         let mut parts = BinaryHeap::from(parts);
         let mut smaller = Vec::new();
-        let most = MOST.min(EACH + self.spare);
+        let most = EACH + self.spare;
         let mut made = 0;
         while made < most {
             let Some(ClearPart { part, clear }) = parts.peek().filter(|worst| worst.clear < window) else { break };

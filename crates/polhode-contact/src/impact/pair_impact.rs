@@ -96,9 +96,6 @@ struct Search<'a> {
 /// that need not hold for long are tighter.
 const NARROWER: f64 = 4.0;
 
-/// Most times that a window which was clear to its end is widened.
-const MOST_WINDOWS: usize = 16;
-
 /// Changes of separation up to this many resolutions are rounding error.
 const MEASURABLE: f64 = 4.0;
 
@@ -126,10 +123,7 @@ const MOST_IN_TOUCH: u32 = 64;
 /// of the present one.
 const LEAST_AXIS_DISTANCE: f64 = 0.5;
 
-/// More halvings than this give an interval below the smallest double.
-const MOST_HALVINGS: u32 = 1074;
-
-/// `2^-j` for `j` up to [`MOST_HALVINGS`], exactly.
+/// `2^-j`, exactly; zero beyond the smallest double.
 fn halved(j: u32) -> f64 {
     libm::ldexp(1.0, -(j as i32))
 }
@@ -266,15 +260,18 @@ impl Search<'_> {
     /// For how long the pair certainly stays clear, at most `remaining` (s).
     fn safe_step(&mut self, now: &Moment, remaining: f64) -> Result<f64, ImpactError> {
         let mut step = self.clear_for(now, remaining)?;
-        for _ in 0..MOST_WINDOWS {
+        // A window that was clear to its end makes the step that many times as long: it reaches the end soon.
+        loop {
             let window = step * NARROWER;
-            if window >= remaining || step <= 0.0 {
+            if !(step > 0.0 && window < remaining) {
                 break;
             }
             let longer = self.clear_for(now, window)?;
             step = step.max(longer);
             // The pair is clear for the whole narrow window, so that a wider window may give a longer step.
-            if longer < window {
+            // Written so that NaN ends it.
+            let is_clear_to_its_end = longer >= window;
+            if !is_clear_to_its_end {
                 break;
             }
         }
@@ -518,7 +515,9 @@ impl Search<'_> {
         };
         let closed = start.separation.min(0.0) - (CLOSED * self.touch(&start)).max(MEASURABLE * rounding);
         let (mut above, mut below, mut last): (_, Option<Moment>, _) = (start, None, start);
-        let mut halvings = self.settings.departure_halvings.min(MOST_HALVINGS);
+        // More halvings than this give an interval below the smallest double.
+        let most = f64::MANTISSA_DIGITS + f64::MIN_EXP.unsigned_abs();
+        let mut halvings = self.settings.departure_halvings.min(most);
         while halvings > 0 && !self.can_have_moved(&start, t1, halvings)? {
             halvings -= 1;
         }

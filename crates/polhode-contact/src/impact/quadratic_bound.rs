@@ -3,6 +3,8 @@
 //! A function with value `a`, rate `b` and `|f''| <= c` satisfies `f(t + s) >= a + b s - c s^2/2`. Sums and minima of
 //! such bounds are concave. A bound that is positive at both ends of an interval is therefore positive on all of it.
 
+use polhode_spatial::rounding;
+
 /// `value + rate s - curvature s^2/2`.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(crate) struct Quadratic {
@@ -54,39 +56,30 @@ impl Quadratic {
     }
 }
 
-/// Relative reduction of a step, which covers the rounding of its computation.
-const SHORTENING: f64 = 1.0 - 8.0 * f64::EPSILON;
-
-/// After this many changes of the deciding parabolas, the step is taken from the chord, which is safe but shorter.
-const MAX_ROUNDS: usize = 64;
-
 /// How long `L(s) = base + min(first) + min(second)` stays positive, at most `window`; an empty list adds nothing.
 ///
 /// The root is approached from the right. The sum of the parabolas that are least at `s` is an upper bound of `L`, so
-/// that its root is not before that of `L`; it is the root of `L` when the same parabolas are least there.
+/// that its root is not before that of `L`; it is the root of `L` when the same parabolas are least there. Before its
+/// root a sum is positive, so that each pair of parabolas decides once at most, and the rounds end.
 pub(crate) fn positive_until(base: Quadratic, first: &[Quadratic], second: &[Quadratic], window: f64) -> f64 {
     let at = |s: f64| base.plus(least_at(first, s)).plus(least_at(second, s));
     if ![first, second].into_iter().flatten().chain([&base]).all(Quadratic::is_finite) {
         return 0.0;
     }
     // A negative value at the start means that the hulls overlap now: the axis separates them for no time at all.
-    let start = at(0.0).value;
-    if start <= 0.0 {
+    if at(0.0).value <= 0.0 {
         return 0.0;
     }
     let mut s = window;
     let mut previous = f64::INFINITY;
-    for _ in 0..MAX_ROUNDS {
+    loop {
         let deciding = at(s);
         if deciding.at(s) >= 0.0 || s >= previous {
-            return if s < window { s * SHORTENING } else { window };
+            return if s < window { s * (1.0 - rounding::FEW_TERMS) } else { window };
         }
         previous = s;
         s = deciding.first_root().min(s);
     }
-    // The chord from the start to a point with a negative value crosses zero before a concave function does.
-    let end = at(s).at(s);
-    if end < 0.0 { s * (start / (start - end)) * SHORTENING } else { 0.0 }
 }
 
 fn least_at(parabolas: &[Quadratic], s: f64) -> Quadratic {

@@ -11,11 +11,9 @@ pub(crate) struct Sample {
     pub(crate) value: f64,
 }
 
-/// Largest number of steps: more than bisection needs to reduce any bracket to two neighbouring doubles.
-const MAX_STEPS: u32 = 256;
-
 /// The last point found at which the value is not negative, or any point with a value within `tolerance` of zero,
-/// between `left` (value >= 0) and `right` (value < 0). The function may fail; its error ends the search.
+/// between `left` (value >= 0) and `right` (value < 0). The function may fail; its error ends the search. Two steps
+/// halve the bracket at least, so that no double is left between its ends after a few dozen.
 pub(crate) fn last_not_negative<E>(
     mut left: Sample,
     mut right: Sample,
@@ -24,12 +22,12 @@ pub(crate) fn last_not_negative<E>(
 ) -> Result<Sample, E> {
     let (mut weight_left, mut weight_right) = (left.value, right.value);
     let mut bisect = false;
-    for _ in 0..MAX_STEPS {
+    loop {
         let middle = left.at + 0.5 * (right.at - left.at);
         let secant = left.at + (right.at - left.at) * (weight_left / (weight_left - weight_right));
         let at = if bisect || !(secant > left.at && secant < right.at) { middle } else { secant };
-        if left.value <= tolerance || at <= left.at || at >= right.at {
-            break;
+        if left.value <= tolerance || !(at > left.at && at < right.at) {
+            return Ok(left);
         }
         let width = right.at - left.at;
         let value = function(at)?;
@@ -47,5 +45,4 @@ pub(crate) fn last_not_negative<E>(
         }
         bisect = right.at - left.at > 0.5 * width;
     }
-    Ok(left)
 }

@@ -6,6 +6,7 @@ use crate::bounding::aabb::Aabb;
 use crate::shape::TriangleMesh;
 use glam::DVec3;
 use polhode_spatial::Pose;
+use polhode_spatial::rounding;
 
 /// Calls `visit` with the pieces of a shape at a pose. Triangles and points are numbered as in the shape; pieces of a
 /// compound have the number of their part.
@@ -67,20 +68,17 @@ pub(crate) fn offer_nearest<'a>(
     }
 }
 
-/// Boxes and points are rounded differently: bounds are reduced by this fraction, so that no equal result is skipped.
-const ROUNDING: f64 = 16.0 * f64::EPSILON;
-
 /// Lower bound of the distance of a box from another, m.
 pub(crate) fn box_distance(bounds: &Aabb, other: &Aabb) -> f64 {
     let largest = bounds.min.abs().max(bounds.max.abs()).max_element();
-    bounds.distance(other) * (1.0 - ROUNDING) - ROUNDING * largest
+    bounds.distance(other) * (1.0 - rounding::DOZEN_TERMS) - rounding::DOZEN_TERMS * largest
 }
 
 /// A lower bound of the distance at which a ray enters a box, m; none for a miss.
 pub(crate) fn entry_distance(bounds: &Aabb, origin: DVec3, direction: DVec3) -> Option<f64> {
     // The box is widened by the rounding of distances from the ray's origin.
     let farthest = (bounds.min - origin).abs().max((bounds.max - origin).abs()).max_element();
-    let bounds = bounds.widened(ROUNDING * farthest);
+    let bounds = bounds.widened(rounding::DOZEN_TERMS * farthest);
     let (mut enter, mut leave): (f64, f64) = (0.0, f64::INFINITY);
     for axis in 0..3 {
         let (from, rate) = (origin[axis], direction[axis]);

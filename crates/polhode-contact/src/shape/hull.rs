@@ -11,14 +11,11 @@ use crate::bounding::aabb::Aabb;
 use crate::shape::error::{ShapeError, check_point};
 use crate::shape::point_cloud::largest_distance;
 use crate::shape::polyhedron::ConvexPolyhedron;
-use crate::shape::topology::{self, PLANE_TOLERANCE, THICKNESS_LIMIT};
+use crate::shape::topology;
 use glam::DVec3;
 use polhode_mesh::{ConvexHull, HullError};
+use polhode_spatial::rounding;
 use std::collections::BTreeMap;
-
-/// Largest distance of a vertex from the plane of a seed triangle for it to belong to the seed's face, relative to the
-/// size: well above the rounding of computed coordinates (1e-16), well below the tolerance for plane faces.
-const COPLANAR_TOLERANCE: f64 = 0.1 * PLANE_TOLERANCE;
 
 /// The convex hull of some points: the exact one of polhode-mesh, its faces merged up to the tolerance for plane faces.
 pub(crate) fn from_points(points: &[DVec3]) -> Result<ConvexPolyhedron, ShapeError> {
@@ -27,7 +24,7 @@ pub(crate) fn from_points(points: &[DVec3]) -> Result<ConvexPolyhedron, ShapeErr
     }
     points.iter().try_for_each(|&p| check_point("point", p))?;
     let points = welded(points);
-    let limit = THICKNESS_LIMIT * largest_distance(&points);
+    let limit = rounding::DIGITS_OF_A_FILE * largest_distance(&points);
     let hull = ConvexHull::of(&points).map_err(|error| match error {
         HullError::TooManyPoints(count) => ShapeError::TooManyPoints { count, limit: u32::MAX as usize / 8 },
         _ => ShapeError::Flat { thickness: 0.0, limit },
@@ -47,7 +44,7 @@ pub(crate) fn from_points(points: &[DVec3]) -> Result<ConvexPolyhedron, ShapeErr
 /// [`ShapeError::Flat`] for a hull that is thinner than the tolerances, and when it fails its checks.
 pub(crate) fn exact(points: &[DVec3], rounding: f64) -> Result<ConvexPolyhedron, ShapeError> {
     let Ok(hull) = ConvexHull::of(points) else {
-        let limit = (THICKNESS_LIMIT * largest_distance(points)).max(rounding);
+        let limit = (rounding::DIGITS_OF_A_FILE * largest_distance(points)).max(rounding);
         return Err(ShapeError::Flat { thickness: 0.0, limit });
     };
     topology::build_within(hull.solid().mesh().vertices().to_vec(), hull.faces().to_vec(), rounding)
@@ -67,7 +64,7 @@ fn thickness(vertices: &[DVec3], triangles: &[[u32; 3]]) -> f64 {
 /// The points without those that are nearer to an earlier kept one than the tolerance for plane faces.
 fn welded(points: &[DVec3]) -> Vec<DVec3> {
     let around = Aabb::of_points(points.iter().copied());
-    let tolerance = 0.5 * PLANE_TOLERANCE * (around.max - around.min).max_element();
+    let tolerance = 0.5 * rounding::DIGITS_OF_A_FILE * (around.max - around.min).max_element();
     let mut order: Vec<usize> = (0..points.len()).collect();
     order.sort_by(|&i, &j| points[i].x.total_cmp(&points[j].x).then(i.cmp(&j)));
     let mut kept: Vec<usize> = Vec::with_capacity(points.len());
@@ -134,7 +131,8 @@ fn grow_regions(
         let [a, b, c] = corners(t);
         (b - a).cross(c - a)
     };
-    let tolerance = COPLANAR_TOLERANCE * largest_distance(vertices);
+    // Well above the rounding of computed coordinates, well below what a vertex may be off the plane of its face.
+    let tolerance = 0.1 * rounding::DIGITS_OF_A_FILE * largest_distance(vertices);
     let mut seeds: Vec<usize> = (0..triangles.len()).collect();
     seeds.sort_by(|&i, &j| area(j).length_squared().total_cmp(&area(i).length_squared()).then(i.cmp(&j)));
     let mut region = vec![usize::MAX; triangles.len()];

@@ -8,9 +8,7 @@ use crate::shape::circle::Circle;
 use crate::shape::round::circles;
 use glam::DVec3;
 use polhode_spatial::UnitVector;
-
-/// Largest cosine between perpendicular directions: the rounding of two rotated unit vectors.
-const PERPENDICULAR: f64 = 4.0 * f64::EPSILON;
+use polhode_spatial::rounding;
 
 /// How far the shape is from being its own mirror image in the plane `normal . x = offset` (m) of its frame: the
 /// largest distance of the image of a vertex, point or centre from the nearest one of the shape, m; for a half-space
@@ -21,7 +19,7 @@ pub fn mirror_defect(shape: &Shape, normal: UnitVector, offset: f64) -> f64 {
     let image = |x: DVec3| x - n * (2.0 * (n.dot(x) - offset));
     if let Shape::HalfSpace(half_space) = shape {
         let along = half_space.normal().dot(n).abs();
-        return if along <= PERPENDICULAR { 0.0 } else { f64::INFINITY };
+        return if along <= rounding::FEW_TERMS { 0.0 } else { f64::INFINITY };
     }
     if let Shape::TriangleMesh(mesh) = shape {
         return mesh
@@ -100,12 +98,12 @@ impl SortedBalls {
 /// The same for a shape with circles: the image of each must be a circle of the shape. The axis of a rim has a sign
 /// (outwards), that of a torus has none.
 fn circles_defect(shape: &Shape, own: &[Circle], n: DVec3, image: impl Fn(DVec3) -> DVec3) -> f64 {
-    let turned = |a: DVec3| if n.dot(a).abs() <= PERPENDICULAR { a } else { a - n * (2.0 * n.dot(a)) };
+    let turned = |a: DVec3| if n.dot(a).abs() <= rounding::FEW_TERMS { a } else { a - n * (2.0 * n.dot(a)) };
     let two_sided = shape.is_ring();
     let distance = |circle: &Circle, axis: DVec3| {
         let aligned = (circle.axis - axis).length();
         let aligned = if two_sided { aligned.min((circle.axis + axis).length()) } else { aligned };
-        if aligned <= PERPENDICULAR { 0.0 } else { circle.radius * aligned }
+        if aligned <= rounding::FEW_TERMS { 0.0 } else { circle.radius * aligned }
     };
     let defect = |circle: &Circle| {
         let (center, axis) = (image(circle.center), turned(circle.axis));

@@ -7,10 +7,7 @@
 
 use crate::Shape;
 use polhode_spatial::UnitVector;
-
-/// Largest cosine between perpendicular directions, and largest sine between parallel ones (no unit): the rounding of
-/// rotated unit vectors and of normals of faces.
-const ALIGNED: f64 = 64.0 * f64::EPSILON;
+use polhode_spatial::rounding;
 
 /// Whether the shape is a prism, or a cylinder, along an axis of its frame. No answer but `false` is given for other
 /// shapes, of which some are prisms too.
@@ -19,9 +16,9 @@ pub fn is_prism_along(shape: &Shape, axis: UnitVector) -> bool {
     match shape {
         Shape::Convex(polyhedron) => polyhedron.faces().all(|face| {
             let along = face.normal.dot(axis).abs();
-            along <= ALIGNED || face.normal.cross(axis).length() <= ALIGNED
+            along <= rounding::DOZENS_OF_TERMS || face.normal.cross(axis).length() <= rounding::DOZENS_OF_TERMS
         }),
-        Shape::Cylinder(cylinder) => cylinder.axis().cross(axis).length() <= ALIGNED,
+        Shape::Cylinder(cylinder) => cylinder.axis().cross(axis).length() <= rounding::DOZENS_OF_TERMS,
         _ => false,
     }
 }

@@ -12,14 +12,8 @@ use crate::shape::point_cloud::largest_distance;
 use crate::shape::polyhedron::{ConvexPolyhedron, Edge, FaceRecord};
 use crate::shape::support::middle_coordinate;
 use glam::DVec3;
+use polhode_spatial::rounding;
 use std::collections::{BTreeMap, BTreeSet};
-
-/// Largest distance of a vertex from the plane of its face, or outside another face, relative to the polyhedron's size:
-/// it admits the rounding of decimal files with ten digits, but no dent that would matter to the depth of a contact.
-pub(crate) const PLANE_TOLERANCE: f64 = 1e-9;
-
-/// Least thickness relative to the size: the tolerances could not tell the two sides of a thinner plate apart.
-pub(crate) const THICKNESS_LIMIT: f64 = 1e-9;
 
 /// Builds a polyhedron from vertices and anticlockwise loops.
 pub(crate) fn build(vertices: Vec<DVec3>, loops: Vec<Vec<u32>>) -> Result<ConvexPolyhedron, ShapeError> {
@@ -244,8 +238,8 @@ fn at_vertices<'a>(loops: impl Iterator<Item = &'a [u32]> + Clone) -> impl Itera
 /// tolerance (m). The vertex farthest in front of a plane is found in a tree of boxes, so that the time grows little
 /// faster than their number.
 fn check_geometry(polyhedron: &ConvexPolyhedron, tolerance: f64) -> Result<(), ShapeError> {
-    let limit = (PLANE_TOLERANCE * polyhedron.size).max(tolerance);
-    let thinnest = (THICKNESS_LIMIT * polyhedron.size).max(tolerance);
+    let limit = (rounding::DIGITS_OF_A_FILE * polyhedron.size).max(tolerance);
+    let thinnest = (rounding::DIGITS_OF_A_FILE * polyhedron.size).max(tolerance);
     let boxes: Vec<Aabb> = polyhedron.vertices.iter().map(|&vertex| Aabb::of_point(vertex)).collect();
     let tree = BoxTree::new(&boxes);
     for (index, record) in polyhedron.faces.iter().enumerate() {

@@ -15,17 +15,11 @@ use super::topology;
 use super::triangle::area_vector;
 use crate::bounding::BoxTree;
 use crate::bounding::aabb::Aabb;
+use crate::clearance::COINCIDENCE;
 use crate::shape::lists::Lists;
 use glam::DVec3;
 use polhode_spatial::Pose;
 use std::collections::BTreeMap;
-
-/// Largest distance of the vertices of a patch from its plane, relative to the mesh's size: the distance up to which
-/// features coincide.
-const FLAT: f64 = crate::clearance::COINCIDENCE;
-
-/// Least height of a triangle relative to its longest side: below it the direction of the normal is rounding error.
-pub(crate) const LEAST_HEIGHT: f64 = 1e-12;
 
 /// A plane part of the surface.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -103,7 +97,7 @@ impl TriangleMesh {
         let sides_of = |(t, n): (&[u32; 3], &DVec3)| [0, 1, 2].map(|k| side_of(&vertices, t, *n, k));
         let sides: Vec<[DVec3; 3]> = joined.iter().zip(&normals).map(sides_of).collect();
         let at_edge = Lists::new(edges.len(), items_of(&edges_of));
-        let (patches, patch_of) = patches(&vertices, &joined, &normals, &edges_of, &at_edge, FLAT * size);
+        let (patches, patch_of) = patches(&vertices, &joined, &normals, &edges_of, &at_edge, COINCIDENCE * size);
         for (index, edge) in edges.iter_mut().enumerate() {
             let around = at_edge.of(index);
             edge.flat = matches!(around, [t, u] if patch_of[*t as usize] == patch_of[*u as usize]);
@@ -229,7 +223,7 @@ fn normals(vertices: &[DVec3], triangles: &[[u32; 3]]) -> Result<Vec<DVec3>, Sha
         // Scaled, so that no square overflows or underflows.
         let area = area_vector([a, b, c].map(|corner| (corner - a) / longest));
         let height = area.length() * longest;
-        if !(longest <= LARGEST_LENGTH && height > LEAST_HEIGHT * longest) {
+        if !(longest <= LARGEST_LENGTH && height > COINCIDENCE * longest) {
             return Err(ShapeError::NoArea { triangle, height, longest });
         }
         if let Some(&double) = seen.get(&sorted) {

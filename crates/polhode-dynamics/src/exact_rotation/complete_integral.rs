@@ -5,13 +5,11 @@
 //! positive terms throughout, so that the result is good to a few ulp. A tenth of the cost of Carlson's RJ. Source:
 //! docs/REFERENCES.md, Bulirsch 1969. Infinite for m1 = 0.
 
+use polhode_spatial::rounding;
 use std::f64::consts::FRAC_PI_2;
 
 /// Levels after which the means agree for every double in (0, 1].
 const LEVELS: usize = 16;
-/// Agreement of the means at which their difference, which is squared in the result, is below round-off.
-const AGREEMENT: f64 = 1e-8;
-
 /// `J(K)` for the characteristic `n >= 0` and the complementary parameter `m1` in [0, 1].
 pub(super) fn complete_integral(n: f64, complement: f64) -> f64 {
     if complement == 0.0 {
@@ -28,7 +26,7 @@ pub(super) fn complete_integral(n: f64, complement: f64) -> f64 {
         p += ratio;
         let before = arithmetic;
         arithmetic += geometric;
-        if (before - geometric).abs() <= AGREEMENT * before {
+        if (before - geometric).abs() <= rounding::HALF_OF_THE_DIGITS * before {
             break;
         }
         geometric = 2.0 * product.sqrt();

@@ -27,6 +27,7 @@ mod complete_integral;
 mod elliptic;
 mod taylor;
 
+use polhode_spatial::rounding;
 pub use taylor::TAYLOR_REACH;
 
 use canonical::Canonical;
@@ -34,10 +35,6 @@ use elliptic::Elliptic;
 use glam::{DQuat, DVec3};
 use polhode_spatial::Rotation;
 use taylor::Taylor;
-
-/// Relative rounding of a bound's own evaluation and of the velocities it is held against, so that it is never too
-/// small: a few dozen operations, each good to 1.1e-16.
-const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
 /// Attitude `R_WP` after `h` seconds (negative goes back) of a free rotation with the principal `moments` (kg m^2, in
 /// the order of the axes of P), from the attitude `rotation` (`R_WP`) with the angular momentum `L_W` (kg m^2/s, world
@@ -115,8 +112,12 @@ impl FreeRotation {
             start,
             // An angular velocity is computed from a momentum that is rounded relative to its whole length, which the
             // smallest moment magnifies: a needle's by its ratio of moments.
-            angular_speed_bound: (fastest + ROUNDING * canonical.largest_rate()) * canonical.time_scale,
-            angular_acceleration_bound: acceleration * canonical.time_scale * canonical.time_scale * (1.0 + ROUNDING),
+            angular_speed_bound: (fastest + rounding::DOZENS_OF_TERMS * canonical.largest_rate())
+                * canonical.time_scale,
+            angular_acceleration_bound: acceleration
+                * canonical.time_scale
+                * canonical.time_scale
+                * (1.0 + rounding::DOZENS_OF_TERMS),
         }
     }
 

@@ -12,6 +12,7 @@
 //! twice as many steps do not err less, where rounding decides. Order 4 makes a long way of strong forces: there DOP853
 //! is cheaper.
 
+use super::MOST_STEPS;
 use super::dop853::{Tolerance, allowance};
 use super::drift_kick::{check, compose};
 use super::exact::{follow, records};
@@ -31,10 +32,6 @@ const RICHARDSON: f64 = 15.0;
 
 /// An error below this share of what is allowed is within it with half as many steps too: `1/2^4`, and half for safety.
 const HALVING_SHARE: f64 = 1.0 / 32.0;
-
-/// Steps within one of the caller, unless it sets another limit; some seconds of work. Guards against waiting for ever
-/// near a singularity.
-const MOST_STEPS: u32 = 1 << 21;
 
 /// Twice as many steps must bring the error below this share of what it was (the order promises 1/16)...
 const GAIN: f64 = 0.5;

@@ -8,15 +8,15 @@
 use super::drift_kick::Stages;
 
 /// Drifts, fractions of the step; the fourth makes their sum one.
-const A1: f64 = 0.0792036964311957;
-const A2: f64 = 0.353172906049774;
-const A3: f64 = -0.0420650803577195;
-const A4: f64 = 1.0 - 2.0 * (A1 + A2 + A3);
+const A: [f64; 3] = [0.0792036964311957, 0.353172906049774, -0.0420650803577195];
 
 /// Kicks, fractions of the step; the third makes their sum one.
-const B1: f64 = 0.209515106613362;
-const B2: f64 = -0.143851773179818;
-const B3: f64 = 0.5 - (B1 + B2);
+const B: [f64; 2] = [0.209515106613362, -0.143851773179818];
 
 /// The composition.
-pub(super) const STAGES: &Stages = &[(A1, B1), (A2, B2), (A3, B3), (A4, B3), (A3, B2), (A2, B1), (A1, 0.0)];
+pub(super) const STAGES: &Stages = &{
+    let [a1, a2, a3] = A;
+    let [b1, b2] = B;
+    let (a4, b3) = (1.0 - 2.0 * (a1 + a2 + a3), 0.5 - (b1 + b2));
+    [(a1, b1), (a2, b2), (a3, b3), (a4, b3), (a3, b2), (a2, b1), (a1, 0.0)]
+};

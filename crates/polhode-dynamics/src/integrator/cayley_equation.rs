@@ -17,14 +17,7 @@
 use super::IntegrationError;
 use super::body_axes::{cayley, solve};
 use glam::{DQuat, DVec3};
-
-/// Relative change of f below which the next would be below round-off (dimensionless): Newton's change is squared each
-/// time. Between 1e-12, where round-off may keep it from being reached, and 1e-8, whose square is the last bit.
-const CONVERGED: f64 = 1e-9;
-
-/// Newton iterations at most. Usual steps take one or two; near the longest step that has a solution, where the
-/// Jacobian is all but singular, each halves the change.
-const MAX_ITERATIONS: usize = 20;
+use polhode_spatial::rounding;
 
 /// The coefficient s of the equation.
 #[derive(Debug, Clone, Copy)]
@@ -56,8 +49,12 @@ pub(crate) fn turn(rule: Rule, g: DVec3, d: DVec3) -> Result<DQuat, IntegrationE
     let products = |f: DVec3| DVec3::new(f.y * f.z, f.z * f.x, f.x * f.y);
     let sweep = |f: DVec3| g * (1.0 + s * f.length_squared()) - d * products(f);
     let mut f = sweep(sweep(g));
-    let mut change = f64::INFINITY;
-    for _ in 0..MAX_ITERATIONS {
+    // Steps of Newton's method that converges become shorter: by half near the longest step that has a solution, where
+    // the Jacobian is all but singular. Usual steps take one or two.
+    let (mut change, mut last) = (f64::INFINITY, f64::INFINITY);
+    let mut iterations = 0;
+    loop {
+        iterations += 1;
         let residual = f - sweep(f);
         let slope = g * (-2.0 * s);
         let columns = [
@@ -66,14 +63,17 @@ pub(crate) fn turn(rule: Rule, g: DVec3, d: DVec3) -> Result<DQuat, IntegrationE
             DVec3::new(d.x * f.y, d.y * f.x, 1.0) + slope * f.z,
         ];
         let (step, determinant) = solve(columns, residual);
-        if determinant <= 0.0 {
-            break;
+        let length = step.length();
+        // Written so that NaN ends it.
+        let is_shorter = length < last;
+        if determinant <= 0.0 || !is_shorter {
+            return Err(IntegrationError::NoConvergence { iterations, change });
         }
         f -= step;
-        change = step.length_squared() / f.length_squared();
-        if step.length_squared() <= CONVERGED * CONVERGED * f.length_squared() {
+        (change, last) = (length / f.length(), length);
+        // A body that does not turn has no f to compare with.
+        if length <= rounding::HALF_OF_THE_DIGITS * f.length() {
             return Ok(cayley(f));
         }
     }
-    Err(IntegrationError::NoConvergence { iterations: MAX_ITERATIONS, change: change.sqrt() })
 }

@@ -18,6 +18,7 @@
 //! function of one's own, between two stages) can be missed; at a singularity the steps shrink until
 //! [`IntegrationError::StepTooSmall`].
 
+use super::MOST_STEPS;
 use super::saved::{NotItsVariables, Reader, write_count, write_states};
 use super::within_step::answered_at_end;
 use super::{IntegrationError, Integrator};
@@ -27,6 +28,7 @@ use crate::state::{ANGULAR_MOMENTUM, LINEAR_VELOCITY, WIDTH};
 use crate::step_control::{Attempt, StepControl, Steps};
 use crate::{BodyState, DenseStep, Dop853, FreeMotion, RigidBody, System};
 use glam::DVec3;
+use polhode_spatial::rounding;
 use thiserror::Error;
 
 /// Share of the tolerance that one step may use (dimensionless): errors add over the steps, some fifty for ten seconds
@@ -39,12 +41,6 @@ pub const SMALLEST_TOLERANCE: f64 = 256.0 * f64::EPSILON;
 
 /// The largest tolerance (dimensionless): beyond it the error estimate of a method of order 8 means nothing.
 pub const LARGEST_TOLERANCE: f64 = 1e-2;
-
-/// Rounding of a number in one step, relative to it: a dozen stages.
-const ROUNDING: f64 = 16.0 * f64::EPSILON;
-
-/// Attempts in one step of the caller; some seconds of work. Guards against waiting for ever near a singularity.
-const MAX_ATTEMPTS: u32 = 1_000_000;
 
 /// A tolerance out of range.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
@@ -224,7 +220,7 @@ impl Steps for SmoothSpan<'_, '_> {
     }
 
     fn smallest_s(&self) -> f64 {
-        ROUNDING * self.start.abs().max(self.end.abs())
+        rounding::DOZEN_TERMS * self.start.abs().max(self.end.abs())
     }
 
     /// The last two steps are of one length: none is left over that is a fraction of what is allowed.
@@ -244,8 +240,8 @@ impl Steps for SmoothSpan<'_, '_> {
     }
 
     fn attempt(&mut self, length_s: f64) -> Result<Attempt<()>, IntegrationError> {
-        if self.attempts == MAX_ATTEMPTS {
-            let smallest_s = (self.end - self.start).abs() / f64::from(MAX_ATTEMPTS);
+        if self.attempts == MOST_STEPS {
+            let smallest_s = (self.end - self.start).abs() / f64::from(MOST_STEPS);
             return Err(IntegrationError::StepTooSmall { t: self.t, smallest_s });
         }
         self.attempts += 1;
@@ -282,10 +278,10 @@ pub(super) fn allowance(
         .max(angular_speed * radius)
         .max((vector(LINEAR_VELOCITY) * radius).sqrt());
     let turning = angular_speed.max((vector(ANGULAR_MOMENTUM) / moments.max_element()).sqrt());
-    let position = (tolerance * radius).max(ROUNDING * largest(&|state| state.pose.translation.length()));
+    let position = (tolerance * radius).max(rounding::DOZEN_TERMS * largest(&|state| state.pose.translation.length()));
     // An error of the angular momentum about the axis of the smallest moment changes the angular velocity most.
-    let angular_momentum =
-        (tolerance * moments.min_element() * turning).max(ROUNDING * largest(&|state| state.angular_momentum.length()));
+    let angular_momentum = (tolerance * moments.min_element() * turning)
+        .max(rounding::DOZEN_TERMS * largest(&|state| state.angular_momentum.length()));
     let quaternion = ErrorAllowance::of_angle(tolerance);
     ErrorAllowance { position, quaternion, velocity: tolerance * speed, angular_momentum }
 }

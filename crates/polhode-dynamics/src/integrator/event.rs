@@ -19,9 +19,6 @@ const SPACING: f64 = 2.0 * f64::EPSILON;
 /// eighth of the step is seen whole.
 pub const SAMPLES: u32 = 16;
 
-/// Most evaluations: halvings of a sixteenth of the step down to [`RESOLUTION`], twice over.
-const MAX_ITERATIONS: u32 = 128;
-
 /// ITP's parameters: how far the estimate moves to the middle, `K1 |b - a|^2 / (b0 - a0)`, and by how many evaluations
 /// it may fall behind bisection.
 const K1: f64 = 0.2;
@@ -64,7 +61,8 @@ pub fn locate(
     Ok(None)
 }
 
-/// The end of the bracket that has the new sign, when the bracket is as narrow as `width` (s).
+/// The end of the bracket that has the new sign, when the bracket is as narrow as `width` (s): after at most [`SLACK`]
+/// evaluations more than bisection needs.
 fn close_in(
     start: (f64, f64),
     end: (f64, f64),
@@ -75,10 +73,10 @@ fn close_in(
     let span = (b.0 - a.0).abs();
     let halvings = libm::ceil(libm::log2((span / width).max(1.0))) + SLACK;
     let mut reach = 0.5 * width * libm::exp2(halvings);
-    for _ in 0..MAX_ITERATIONS {
+    loop {
         let gap = (b.0 - a.0).abs();
         if gap <= width || b.1 == 0.0 {
-            break;
+            return Ok(b.0);
         }
         let inside = estimate(a, b, K1 * gap * gap / span, reach - 0.5 * gap);
         // A secant that all but hits an end is moved off it, to where the other side of the zero must be.
@@ -93,7 +91,7 @@ fn close_in(
         reach *= 0.5;
         // No time is left between the ends.
         if t == a.0 || t == b.0 {
-            break;
+            return Ok(b.0);
         }
         let y = value(t)?;
         if y * a.1.signum() > 0.0 {
@@ -102,7 +100,6 @@ fn close_in(
             b = (t, y);
         }
     }
-    Ok(b.0)
 }
 
 /// ITP's next time: interpolate, truncate by `truncation`, project to within `radius` of the middle.

@@ -96,6 +96,10 @@ pub use splitting::{Splitting, Splitting4};
 use crate::{BodyState, FreeMotion};
 use std::fmt::Debug;
 
+/// Steps within one of the caller, or attempts at them; some seconds of work. Guards against waiting for ever near a
+/// singularity.
+const MOST_STEPS: u32 = 1 << 21;
+
 /// A one-step method for free bodies.
 ///
 /// The method keeps its own variables from step to step (a matrix that has drifted from a rotation, say, is what it

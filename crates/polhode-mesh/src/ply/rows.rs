@@ -2,6 +2,7 @@
 
 use super::header::{Element, Header, Kind, Scalar};
 use crate::read_error::{Place, ReadError, ReadErrorKind};
+use crate::words::FEWEST_BYTES;
 use crate::words::{Word, Words};
 
 /// Why a value could not be read.
@@ -59,9 +60,6 @@ pub(super) struct Text<'a> {
     /// The first word of the row, until it is taken.
     first: Option<Word<'a>>,
 }
-
-/// Fewest bytes of a value in text: a digit and what separates it.
-const FEWEST_BYTES: usize = 2;
 
 impl<'a> Text<'a> {
     pub(super) fn new(bytes: &'a [u8], header: &Header<'_>) -> Self {

@@ -30,9 +30,6 @@ const ASKED_OF: u64 = 64;
 /// Problems of more rows are not solved again, nor kept.
 const MOST_ROWS: usize = 1000;
 
-/// Most methods that are asked in turn.
-const MOST_NEXT: u8 = 6;
-
 /// Motions that differ by more, relative to the largest velocity, are other motions (no unit).
 const OTHER_MOTION: f64 = 1e-6;
 
@@ -305,8 +302,9 @@ pub(crate) fn note(
     };
     // The table is free meanwhile.
     let (mut others, mut without) = (Vec::new(), vec![answer.method]);
-    while is_asked && others.len() < usize::from(MOST_NEXT) {
-        let Some(other) = again(&without) else { break };
+    while is_asked {
+        // Each answer is by a method that has not answered yet.
+        let Some(other) = again(&without).filter(|other| !without.contains(&other.method)) else { break };
         without.push(other.method);
         others.push(other);
     }

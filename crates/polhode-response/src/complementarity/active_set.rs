@@ -17,12 +17,13 @@
 //! limit of pivots ends all loops, also for NaN.
 
 use super::rank::{Dependence, Image, Rank, SAFE_PIVOT};
-use crate::certificate::{TRUSTED_PIVOT, row_accelerations};
+use crate::certificate::row_accelerations;
 use crate::dense::cholesky::GrowingCholesky;
 use crate::dense::kernels::{dot, largest};
 use crate::dense::scalar::Scalar;
 use crate::precise;
 use crate::settings::SolverSettings;
+use crate::tolerances::TRUSTED_PIVOT;
 
 /// A Schur complement above this fraction of the diagonal is independent without a closer look (no unit).
 const CLEARLY_INDEPENDENT: f64 = 1e-6;
@@ -30,9 +31,6 @@ const CLEARLY_INDEPENDENT: f64 = 1e-6;
 /// Corrections of a direction before its row is called doubtful: the first leaves rounding where the factor is good
 /// to 1e-8, the second is for factors that have shrunk and grown many times.
 const CORRECTIONS: usize = 2;
-
-/// A push below this fraction of the forces present makes no progress (no unit): 50 times the rounding unit.
-const NO_PROGRESS: f64 = 1e-14;
 
 /// Multiple of the noise floor that passes for noise where rows depend on each other (no unit): that of several rows
 /// adds up.
@@ -294,7 +292,7 @@ impl<T: Scalar> ActiveSet<T> {
                 return self.unstoppable(problem, row);
             };
             let present = largest(&self.forces) + problem.constant[row].to_f64().abs() / problem.diagonal(row);
-            self.stalled = if step.to_f64() > NO_PROGRESS * present { 0 } else { self.stalled + 1 };
+            self.stalled = if step.to_f64() > f64::ROUNDING * present { 0 } else { self.stalled + 1 };
             self.forces[row] = self.forces[row] + step;
             for (&other, &change) in self.rows.iter().zip(&self.direction) {
                 self.forces[other] = problem.admitted(other, self.forces[other] + step * change);
@@ -490,7 +488,7 @@ impl ActiveSet {
         self.direction.extend(self.rows.iter().map(|&row| -w[row]));
         self.factor.solve(&mut self.direction);
         let pushing = |(&row, change): (&usize, &f64)| {
-            is_bilateral(row) || self.forces[row] + change >= -NO_PROGRESS * self.forces[row]
+            is_bilateral(row) || self.forces[row] + change >= -f64::ROUNDING * self.forces[row]
         };
         if !self.rows.iter().zip(&self.direction).all(pushing) {
             return false;

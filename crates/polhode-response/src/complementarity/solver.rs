@@ -5,9 +5,7 @@ use super::rank::{Image, Motion, Rank};
 use super::{ContactSolution, WarmStart};
 #[cfg(feature = "census")]
 use crate::census::{self, Answer, Chain, Size};
-use crate::certificate::{
-    DEPENDENT_ROUNDING, FACTOR_MARGIN, bilateral_residual, nan_max, power_bound, row_residual, row_scales,
-};
+use crate::certificate::{FACTOR_MARGIN, bilateral_residual, nan_max, power_bound, row_residual, row_scales};
 use crate::delassus::Delassus;
 use crate::dense::kernels::{axpy, largest};
 use crate::dense::scalar::Scalar;
@@ -18,6 +16,7 @@ use crate::problem::ContactProblem;
 use crate::report::{Method, SolverReport, SolverStatus};
 use crate::settings::SolverSettings;
 use polhode_spatial::DoubleDouble;
+use polhode_spatial::rounding;
 
 /// A Schur complement in twice the precision below this fraction of its terms is rounding, whatever the settings say
 /// (no unit): a hundred times the rounding unit.
@@ -27,16 +26,9 @@ const PRECISE_PIVOT_ROUNDING: f64 = 1e-29;
 /// unit): a hundred times what rows that count as dependent may differ by.
 const SQUEEZE_ROUNDING: f64 = 1e-12;
 
-/// Rounding of constant terms relative to the largest of them (no unit): that of some dozen terms.
-const CONSTANT_ROUNDING: f64 = 64.0 * f64::EPSILON;
-
 /// An answer that holds only to the rounding of the constant terms is refused when the terms that cancel in its rows
 /// exceed the largest constant by this factor (no unit): their own rounding then decides it.
 const SOUND_AMPLIFICATION: f64 = 1e3;
-
-/// An answer in working precision with a larger residual, though accepted, is found again in twice the precision (no
-/// unit): as large as what is left of bodies that are squeezed within rounding.
-const DOUBTFUL_RESIDUAL: f64 = SQUEEZE_ROUNDING;
 
 /// Steps of refinement at large mass ratios: each leaves the rounding unit times the condition of the factor.
 const REFINEMENTS: usize = 3;
@@ -234,7 +226,7 @@ impl ComplementaritySolver {
     fn search(&mut self, data: Data<'_>, warm_start: Option<&WarmStart>) {
         self.tried = MethodSet::default();
         self.try_methods(data, warm_start);
-        let noise_floor = CONSTANT_ROUNDING * largest(data.b);
+        let noise_floor = rounding::DOZENS_OF_TERMS * largest(data.b);
         let is_solved = self.solution.report.status == SolverStatus::Solved;
         if is_solved || noise_floor <= self.settings.noise_floor || !self.begins(Method::RoundingAsNoise) {
             return;
@@ -273,7 +265,7 @@ impl ComplementaritySolver {
             self.decide(data, &[], Method::ColdStart);
         }
         self.refine_precisely(data);
-        if self.best.report.status == SolverStatus::Solved && self.best.report.residual > DOUBTFUL_RESIDUAL {
+        if self.best.report.status == SolverStatus::Solved && self.best.report.residual > SQUEEZE_ROUNDING {
             let rows = self.best.rows.clone();
             self.attempt_precisely(data, &rows);
         }
@@ -317,7 +309,7 @@ impl ComplementaritySolver {
             best.rows.push(0);
             best.report.rank = 1;
             // The quotient, and the products and sums in `G`, are rounded.
-            best.report.bound = DEPENDENT_ROUNDING * constant.abs() / diagonal.sqrt();
+            best.report.bound = rounding::DOZENS_OF_TERMS * constant.abs() / diagonal.sqrt();
         } else {
             best.forces.push(0.0);
             best.w.push(constant);
@@ -478,7 +470,7 @@ impl ComplementaritySolver {
         let noise = NOISE_ALLOWED * settings.noise_floor;
         let stays = |row: usize| {
             let below = if data.is_bilateral(row) { w[row].abs() } else { -w[row] };
-            below <= DEPENDENT_ROUNDING * best.scales[row] + noise
+            below <= rounding::DOZENS_OF_TERMS * best.scales[row] + noise
         };
         if length.is_finite() && (0..size).all(stays) {
             best.report.bound = FACTOR_MARGIN * length;

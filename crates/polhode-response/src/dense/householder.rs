@@ -5,10 +5,7 @@
 //! and Van Loan, Matrix Computations, sections 5.2 and 5.4.
 
 use crate::dense::kernels::{axpy, dot, largest};
-
-/// Remaining column norms are recomputed when subtraction has left less than this fraction of them (no unit):
-/// the square root of the rounding unit, where half of the digits are gone.
-const NORM_REFRESH: f64 = 1e-8;
+use polhode_spatial::rounding;
 
 /// The factors of an `m x n` matrix: reflections below the diagonal, `R` on and above it.
 #[derive(Debug, Clone)]
@@ -52,7 +49,7 @@ impl PivotedQr {
                 apply_reflection(reflection, scale, below);
                 let other = step + 1 + offset;
                 squares[other] -= below[0] * below[0];
-                if squares[other] <= NORM_REFRESH * references[other] {
+                if squares[other] <= rounding::HALF_OF_THE_DIGITS * references[other] {
                     squares[other] = dot(&below[1..], &below[1..]);
                     references[other] = squares[other];
                 }

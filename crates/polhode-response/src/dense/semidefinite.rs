@@ -68,7 +68,7 @@ mod tests {
     //! Matrices of any rank pass; a negative direction and an asymmetry do not.
     use super::*;
 
-    const ROUNDING: f64 = crate::problem::BLOCK_ROUNDING;
+    const ROUNDING: f64 = crate::tolerances::MATRIX_ROUNDING;
 
     #[test]
     fn redundant_rows_pass() {

@@ -9,15 +9,12 @@
 //! `B` is a Cholesky factor with pivoting, dense: a fallback for problems of some hundred contacts.
 
 use crate::dense::kernels::{axpy, dot, largest};
+use crate::dense::scalar::Scalar;
 use crate::friction::problem::FrictionProblem;
-use crate::friction::single_contact::PIVOT_ROUNDING;
+use crate::interior_point::ANSWER_ERROR;
 use crate::interior_point::{ConeProgramme, ConeRows, least_motion};
 use crate::law::Law;
 use crate::solve::way::CONE_PROGRAMME_MOST_ROWS;
-
-/// What reactions that prove a problem to have no solution may move, relative to what the largest of them would move
-/// alone (no unit): the tolerance of the interior point with a margin.
-const STILL: f64 = 1e-9;
 
 /// The factor `B` of a problem, row by row, each row scaled by `1 / sqrt(g)` of its contact.
 #[derive(Debug)]
@@ -150,7 +147,7 @@ impl<'a> LiftedForm<'a> {
         let alone = (0..problem.len()).map(|block| problem.inverse_mass(block)).fold(0.0, f64::max);
         let work = dot(problem.constant(), squeeze);
         let terms: f64 = problem.constant().iter().zip(squeeze).map(|(q, z)| (q * z).abs()).sum();
-        largest(&moved) <= STILL * alone && work < -STILL.sqrt() * terms
+        largest(&moved) <= ANSWER_ERROR * alone && work < -ANSWER_ERROR.sqrt() * terms
     }
 
     fn push_row(&self, row: usize, weight: f64, at: usize, entries: &mut Vec<(usize, usize, f64)>) {
@@ -165,7 +162,7 @@ impl<'a> LiftedForm<'a> {
 /// Rank and factor `B` (`size x rank`, row-major) of `B B^T`, the largest remaining diagonal entry first.
 fn pivoted_cholesky(dense: &[f64], size: usize) -> (usize, Vec<f64>) {
     let mut rest: Vec<f64> = (0..size).map(|row| dense[row * size + row]).collect();
-    let cut = PIVOT_ROUNDING * largest(&rest);
+    let cut = f64::ROUNDING * largest(&rest);
     let mut columns: Vec<Vec<f64>> = Vec::new();
     let mut is_used = vec![false; size];
     loop {

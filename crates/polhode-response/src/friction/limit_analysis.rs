@@ -27,23 +27,16 @@ use crate::census::{self, Chain, Size};
 use crate::dense::kernels::largest;
 use crate::error::{ResponseError, check_finite, check_length};
 use crate::friction::blocks::Blocks;
+use crate::interior_point::ANSWER_ERROR;
 use crate::interior_point::{ConeProgramme, ConeRows, least_cost};
 use crate::law::Law;
 use crate::problem::ContactProblem;
 #[cfg(feature = "census")]
 use crate::report::SolverStatus;
 
-/// Contacts that bear less than this part of the forces on the lighter loaded of their bodies bear nothing (no unit,
-/// 1e-9 to 1e-6): the tolerance of the interior point.
-const UNLOADED: f64 = 1e-8;
-
 /// The largest load that is looked for, and the largest part of the coefficients of friction, as a multiple (no unit,
 /// 1e2 to 1e6): a structure that bears more is wedged, one that needs more cannot stand.
 pub const MOST_FACTOR: f64 = 1e3;
-
-/// How much of its scale a contact may miss its cone by and counts as within it (no unit, 1e-10 to 1e-8): the tolerance
-/// of the interior point.
-const MISSED_CONE: f64 = 1e-9;
 
 /// Two parts of friction this close to each other are one (no unit, 1e-7 to 1e-5), relative: what is missed in between
 /// is then well above the tolerance of the interior point.
@@ -162,7 +155,7 @@ impl<'a> Structure<'a> {
 
     fn least_friction(&self) -> Option<Limit> {
         let without = self.missed(0.0)?;
-        if without.last <= MISSED_CONE {
+        if without.last <= ANSWER_ERROR {
             let mechanism = vec![0.0; self.free.len()];
             return Some(Limit { mechanism, ..self.limit(0.0, &without) });
         }
@@ -324,7 +317,7 @@ impl Search {
     fn take(&mut self, tried: f64, found: Solved) {
         let width = |search: &Self| search.above.as_ref().map(|(above, _)| above - search.below.0);
         let before = width(self);
-        if found.last <= MISSED_CONE {
+        if found.last <= ANSWER_ERROR {
             self.above = Some((tried, found));
         } else {
             self.below = (tried, found);
@@ -426,7 +419,7 @@ fn unload(parts: &mut [f64], blocks: &Blocks) {
     let mut first = 0;
     for law in blocks.laws() {
         let own = &mut parts[first..first + law.rows()];
-        if matches!(law, Law::Push | Law::Cone { .. }) && own[0] <= UNLOADED {
+        if matches!(law, Law::Push | Law::Cone { .. }) && own[0] <= ANSWER_ERROR {
             own.fill(0.0);
         }
         first += law.rows();

@@ -8,11 +8,8 @@
 use crate::dense::kernels::{axpy, dot};
 use crate::friction::elimination_order::EliminationOrder;
 use crate::friction::node_matrix::NodeMatrix;
+use crate::tolerances::VANISHING_PIVOT;
 use std::ops::Range;
-
-/// A pivot that vanishes is replaced by this (in units of the matrix, whose rows are scaled to about 1): its unknown
-/// stays where it was. Regularisation keeps pivots far above.
-const SMALLEST_PIVOT: f64 = 1e-300;
 
 /// The factors, with the memory of one factorisation for the next.
 #[derive(Debug, Clone, Default)]
@@ -273,8 +270,8 @@ fn eliminate(front: &mut [f64], size: usize, panel: Range<usize>, pivots: &mut V
             let (above, below) = front.split_at_mut(best * size);
             above[k * size..(k + 1) * size].swap_with_slice(&mut below[..size]);
         }
-        if front[k * size + k].abs() < SMALLEST_PIVOT {
-            front[k * size + k] = SMALLEST_PIVOT.recip();
+        if front[k * size + k].abs() < VANISHING_PIVOT {
+            front[k * size + k] = VANISHING_PIVOT.recip();
         }
         let (above, below) = front.split_at_mut((k + 1) * size);
         let pivot_row = &above[k * size..];

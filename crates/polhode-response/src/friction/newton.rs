@@ -22,19 +22,14 @@ use crate::friction::node_laws::{LawsOfBlocks, NodeLaws, StepSystem};
 use crate::friction::node_matrix::NodeMatrix;
 use crate::friction::problem::FrictionProblem;
 use crate::law::{Law, MOST_ROWS, PARTS};
+use crate::tolerances::DECREASE;
+use crate::tolerances::LEAST_DAMPING;
+use crate::tolerances::MOST_HALVINGS;
+use crate::tolerances::WENT_WELL;
 use std::ops::Range;
-
-/// Least share of the diagonal of `G` that is added to it (no unit): between the rounding unit and the smallest share
-/// of a direction that moves something. Rounding of velocities, divided by it, lets reactions wander that move nothing,
-/// and what that turns of a sliding contact's friction is left in the residual: with 1e-10 some 1e-12 of a tower of 570
-/// contacts.
-const LEAST_DAMPING: f64 = 1e-9;
 
 /// Equations below this fraction of the largest depend on the others (no unit): quadratic in distances.
 const DEPENDENT_EQUATION: f64 = 1e-9;
-
-/// What a step leaves of the function's square when it went well (no unit).
-const WELL: f64 = 0.25;
 
 /// How the share of the diagonal, relative to the residual, changes from step to step (no units).
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -81,12 +76,6 @@ const STALLED_STEPS: usize = 12;
 
 /// Steps whose largest function the next one may reach.
 const MEMORY: usize = 6;
-
-/// Halvings of a step.
-const MOST_HALVINGS: usize = 6;
-
-/// Share of the decrease promised that a step must bring (no unit); the usual one of Armijo.
-const DECREASE: f64 = 1e-4;
 
 /// Where the method is.
 #[derive(Debug, Clone, Default)]
@@ -227,7 +216,7 @@ impl<'a> Newton<'a> {
             if !square.is_finite() {
                 return step + 1;
             }
-            let went_well = squares.last().is_some_and(|last| square < WELL * last);
+            let went_well = squares.last().is_some_and(|last| square < WENT_WELL * last);
             share = damping.next(share, length == 1.0, went_well);
             std::mem::swap(&mut reactions, &mut trial);
             std::mem::swap(&mut velocities, &mut trial_velocities);

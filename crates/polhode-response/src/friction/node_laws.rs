@@ -28,14 +28,14 @@ use crate::friction::multifrontal::NodeSystem;
 use crate::friction::node_matrix::NodeMatrix;
 use std::ops::Range;
 
+/// Pivots below this fraction of the largest depend on the others (no unit): contacts along a line have no moment about
+/// it.
+const DEPENDENT_LAW: f64 = 1e-11;
+
 /// Least share of the diagonal that damps what moves nothing within a node (no unit, 0 to 1e-6): rounding and data that
 /// contradict each other by 1e-13 then move no reaction by more than 1e-7 of what stops a contact. More of it keeps
 /// corners from sharing a load anew: 1e-3 takes twice the steps for heaps of boxes.
 const LEAST_NODE_DAMPING: f64 = 1e-6;
-
-/// Pivots below this fraction of the largest depend on the others (no unit): contacts along a line have no moment about
-/// it.
-const DEPENDENT_LAW: f64 = 1e-11;
 
 /// The system of one step.
 #[derive(Debug, Clone, Default)]

@@ -18,11 +18,8 @@ use crate::dense::kernels::{axpy, dot, largest};
 use crate::friction::block_matrix::BlockMatrix;
 use crate::friction::elimination_order::EliminationOrder;
 use crate::solve::way::REDUCED_FRONT;
+use crate::tolerances::TRUSTED_PIVOT;
 use std::ops::Range;
-
-/// Pivots below this share of the largest diagonal entry of a node depend on the others (no unit, 1e-14 to 1e-10): some
-/// hundred rounding units.
-const DEPENDENT_IN_NODE: f64 = 1e-12;
 
 /// Rows that must depend on others for a node to be reduced: those of a contact. Fewer cost more than they save.
 const LEAST_DEPENDENT: usize = 3;
@@ -224,9 +221,7 @@ fn expansion(matrix: &BlockMatrix, blocks: &[usize], node: &NodeRows) -> Option<
     let most = (0..size).fold(0.0, |most: f64, k| most.max(rest[k * size + k]));
     let mut independent = Vec::new();
     let mut is_used = vec![false; size];
-    while let Some(pivot) =
-        largest_free(&rest, &is_used, size).filter(|&k| rest[k * size + k] > DEPENDENT_IN_NODE * most)
-    {
+    while let Some(pivot) = largest_free(&rest, &is_used, size).filter(|&k| rest[k * size + k] > TRUSTED_PIVOT * most) {
         is_used[pivot] = true;
         independent.push(pivot);
         sweep(&mut rest, size, pivot);

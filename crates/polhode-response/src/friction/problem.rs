@@ -12,18 +12,12 @@ use crate::friction::block_matrix::BlockMatrix;
 use crate::friction::coulomb_cone::natural_map;
 use crate::friction::rows_behind::RowsBehind;
 use crate::law::{Law, MOST_ROWS};
+use crate::tolerances::EXACT_ENOUGH;
+use crate::tolerances::IMMOVABLE;
 use std::ops::Range;
-
-/// A contact that no reaction moves is measured by this fraction of the largest inverse mass (no unit): with it a
-/// reaction there shows in the residual, however small.
-const IMMOVABLE: f64 = 1e-3;
 
 /// Rounding error of a sum of terms, in units in the last place of the sum of their magnitudes (4 to 64).
 const ROUNDING_UNITS: f64 = 8.0;
-
-/// Residuals above this are never taken for rounding (no unit, 1e-9 to 1e-7): reactions so large that their rounding is
-/// more than this diverge.
-const LARGEST_ROUNDING: f64 = 1e-8;
 
 /// A frictional contact problem.
 #[derive(Debug, Clone, PartialEq)]
@@ -187,7 +181,7 @@ impl FrictionProblem {
     /// The largest residual that is ever taken for rounding.
     pub(crate) fn largest_rounding(&self) -> f64 {
         let friction = self.blocks.iter().filter_map(|block| block.friction()).fold(0.0, f64::max);
-        (1.0 + friction) * LARGEST_ROUNDING
+        (1.0 + friction) * EXACT_ENOUGH
     }
 
     /// What rounding of `G r + q` alone leaves of the residual of such reactions: large ones that cancel leave more,
@@ -210,7 +204,7 @@ impl FrictionProblem {
         let rounding = |block: usize| {
             let friction = self.blocks[block].friction().unwrap_or(0.0);
             let plain = ROUNDING_UNITS * f64::EPSILON * terms(block).max(size) / size;
-            (1.0 + friction) * plain.min(LARGEST_ROUNDING)
+            (1.0 + friction) * plain.min(EXACT_ENOUGH)
         };
         (0..self.len()).map(rounding).fold(0.0, f64::max)
     }

@@ -12,17 +12,10 @@
 //! Source: Bonnefon and Daviet 2011 solve the same equation as a quartic polynomial. Where several roots exist (strong
 //! coupling of normal and tangent) one is taken.
 
+use crate::dense::scalar::Scalar;
 use crate::friction::coulomb_cone::{Rows, project, tangential_length};
 use crate::law::{CONTACT_ROWS, Law};
-
-/// Pivots below this fraction of the diagonal count as zero (no unit): a hundred rounding units.
-pub(super) const PIVOT_ROUNDING: f64 = 1e-14;
-
-/// Steps of Newton's method and bisection for the root: the bracket is halved by half of them at least.
-const MOST_STEPS: usize = 100;
-
-/// The root is found when a step changes it by less than this fraction (no unit): some rounding units.
-const ROOT_ROUNDING: f64 = 1e-15;
+use crate::tolerances::LEAST_CHANGE;
 
 /// A block of `G` with the rows that are missing filled up by the identity.
 pub(crate) type Square = [[f64; CONTACT_ROWS]; CONTACT_ROWS];
@@ -66,7 +59,7 @@ fn already_sliding(a: &Square, b: Rows, friction: f64) -> Rows {
         return [0.0; CONTACT_ROWS];
     }
     let pushed = a[0][0] - friction * a[0][1];
-    let normal = -b[0] / if pushed > PIVOT_ROUNDING * a[0][0] { pushed } else { a[0][0] };
+    let normal = -b[0] / if pushed > f64::ROUNDING * a[0][0] { pushed } else { a[0][0] };
     [normal, -friction * normal, 0.0]
 }
 
@@ -81,7 +74,7 @@ pub(crate) fn hold(a: &Square, b: Rows) -> Rows {
                 a[i][j] -= factor * a[k][j];
             }
             b[i] -= factor * b[k];
-            if a[i][i] <= PIVOT_ROUNDING * whole {
+            if a[i][i] <= f64::ROUNDING * whole {
                 a[i][i] = 0.0;
             }
         }
@@ -127,7 +120,10 @@ fn slide(a: &Square, b: Rows, friction: f64) -> Rows {
     // Where sweeps diverge nothing here is a number, which `clamp` would not take.
     let mut x = (reach - 0.5 * trace).max(0.0).min(high);
     let mut t = at(x).0;
-    for _ in 0..MOST_STEPS {
+    let mut change = high;
+    // Each step replaces an end of the bracket by a place within it, near the root by Newton's quadratic steps: they
+    // end when a step is rounding.
+    while change > LEAST_CHANGE * (x + trace.abs()) {
         let (tangent, below) = at(x);
         t = tangent;
         let length = (t[0] * t[0] + t[1] * t[1]).sqrt();
@@ -146,11 +142,8 @@ fn slide(a: &Square, b: Rows, friction: f64) -> Rows {
         let allowed = length - value;
         let newton = x - value / slope * if allowed > 0.0 { length / allowed } else { 1.0 };
         let next = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
-        let is_found = (next - x).abs() <= ROOT_ROUNDING * (x + trace.abs());
+        change = (next - x).abs();
         x = next;
-        if is_found {
-            break;
-        }
     }
     let (length, normal) = ((t[0] * t[0] + t[1] * t[1]).sqrt(), normal(t));
     if !(normal > 0.0 && length > 0.0 && normal.is_finite()) {

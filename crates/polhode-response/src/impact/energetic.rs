@@ -25,13 +25,9 @@ use super::impact_problem::ImpactProblem;
 use super::outcome::{ImpactOutcome, ImpactStatus};
 use super::unequal::or_lowered;
 use crate::complementarity::ComplementaritySolver;
+use crate::dense::scalar::Scalar;
 use crate::error::ResponseError;
-
-/// Work left to give back below this part of what was taken is spent (no unit): the rounding of the roots.
-const SPENT: f64 = 1e-13;
-
-/// A rate of velocity below this part of the largest one is zero (no unit): rounding of the products of `G`.
-const NO_RATE: f64 = 1e-14;
+use polhode_spatial::rounding;
 
 /// Longest expansion, in lengths of the compression (no unit, 4 to 100): with one restitution it is `e`. Rows that
 /// hardly open would go on without bound, and are ended with less than they may give.
@@ -127,7 +123,7 @@ impl Expansion {
             left: vec![0.0; rows],
             taken: vec![0.0; rows],
             share: vec![0.0; rows],
-            zero: NO_RATE * impact.tolerance / impact.problem.settings.threshold.max(f64::EPSILON),
+            zero: f64::ROUNDING * impact.tolerance / impact.problem.settings.threshold.max(f64::EPSILON),
             velocities: compressed,
         };
         let works: Vec<f64> = (0..rows)
@@ -175,10 +171,13 @@ impl Expansion {
         let fastest = self.rates.iter().fold(0.0, |most: f64, rate| most.max(rate.abs()));
         let opens = |row: usize| {
             let u = self.velocities[row];
-            u > self.zero || (u >= -self.zero && self.rates[row] > NO_RATE * fastest)
+            u > self.zero || (u >= -self.zero && self.rates[row] > f64::ROUNDING * fastest)
         };
-        let spent =
-            |row: &usize| self.expands(impact, *row) && self.left[*row] <= SPENT * self.taken[*row] && opens(*row);
+        let spent = |row: &usize| {
+            self.expands(impact, *row)
+                && self.left[*row] <= rounding::HUNDREDS_OF_TERMS * self.taken[*row]
+                && opens(*row)
+        };
         let ended: Vec<usize> = (0..self.growth.len()).filter(spent).collect();
         for &row in &ended {
             self.growth[row] = 0.0;

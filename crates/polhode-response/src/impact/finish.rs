@@ -4,14 +4,11 @@ use super::impact_problem::ImpactProblem;
 use super::outcome::{Application, ImpactOutcome, ImpactStatus};
 use crate::complementarity::ComplementaritySolver;
 use crate::dense::kernels::{axpy, compensated_dot, largest};
+use crate::dense::scalar::Scalar;
 use crate::minimum_norm::least_norm;
 use crate::precise;
 use crate::report::SolverStatus;
 use crate::settings::SolverSettings;
-
-/// A velocity below this fraction of the terms `|u-| + sum |G_ik| p_k` of its row is rounding of zero (no unit): 50
-/// times the rounding unit, for sums of a few dozen terms.
-const ROUNDING_OF_SUM: f64 = 1e-14;
 
 /// A gain of energy above this fraction of `sum p_i (|u_i-| + |u_i+|) / 2` is real (no unit). Below it is what rounding
 /// and rows that are held only nearly leave (`closed_cut`), and is taken out by shortening the impulses.
@@ -106,7 +103,7 @@ impl<'a> Impact<'a> {
     /// that tells two opposite rows apart, and must not pass for bodies that are squeezed.
     pub(super) fn noise(&self, impulses: &[f64]) -> f64 {
         let terms = (0..impulses.len()).map(|row| compensated_terms(self.problem.delassus.row(row), impulses));
-        ROUNDING_OF_SUM * terms.fold(0.0, f64::max)
+        f64::ROUNDING * terms.fold(0.0, f64::max)
     }
 
     /// Whether there is a velocity at which all rows separate: by the least one with `u >= 1` on all rows.
@@ -146,7 +143,7 @@ impl<'a> Impact<'a> {
         for row in 0..count {
             let terms =
                 compensated_terms(self.problem.delassus.row(row), &outcome.impulses) + self.problem.u_before[row].abs();
-            if velocities[row].abs() <= ROUNDING_OF_SUM * terms {
+            if velocities[row].abs() <= f64::ROUNDING * terms {
                 velocities[row] = 0.0;
             }
             remains |= if self.problem.is_bilateral(row) { velocities[row] != 0.0 } else { velocities[row] < 0.0 };
@@ -156,7 +153,7 @@ impl<'a> Impact<'a> {
             // Row by row velocities have drifted apart over many impulses; those of the total belong together, to the
             // rounding of the velocities before.
             velocities = precise::accelerations(self.problem.contacts, &rows, self.problem.u_before, &outcome.impulses);
-            let noise = ROUNDING_OF_SUM * largest(self.problem.u_before);
+            let noise = f64::ROUNDING * largest(self.problem.u_before);
             let last = self.solve(&rows, &velocities, noise, outcome);
             for (total, impulse) in outcome.impulses.iter_mut().zip(&last.amounts) {
                 *total += impulse;

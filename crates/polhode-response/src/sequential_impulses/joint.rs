@@ -2,9 +2,6 @@
 
 use polhode_spatial::DVec3;
 
-/// Most rows of a joint: it holds all relative motion.
-pub const MOST_JOINT_ROWS: usize = 6;
-
 /// A row: what a unit of its multiplier does.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct JointRow {
@@ -33,6 +30,6 @@ pub struct ImpulseJoint {
     pub bodies: [u32; 2],
     /// Its law.
     pub law: JointLaw,
-    /// How many rows it has: 1 to [`MOST_JOINT_ROWS`].
+    /// How many rows it has: 1 to [`MOST_ROWS`].
     pub rows: usize,
 }

@@ -14,13 +14,12 @@
 //! constraints, lanes), docs/REFERENCES.md.
 
 use super::body::{Gathered, ImpulseBody, Twist};
-use super::joint::{JointLaw, JointRow, MOST_JOINT_ROWS};
+use super::joint::{JointLaw, JointRow};
 use super::lanes::{FOUR, Four, Lanes, Vectors};
 use super::sweep::{Softness, SweepRule};
 use super::works::numbers;
-
-/// A pivot below this part of the diagonal is rounding: its row depends on those before it (no unit, 1e-14 to 1e-8).
-const DEPENDENT: f64 = 1e-12;
+use crate::law::MOST_ROWS;
+use crate::tolerances::TRUSTED_PIVOT;
 
 /// One row of each of four joints.
 #[derive(Debug, Clone, Copy, Default)]
@@ -31,7 +30,7 @@ pub(super) struct LaneRow {
     /// Of the present substep, N s.
     pub(super) multiplier: Four,
     /// Of the factors: `L` before the diagonal, on it the inverse of `D`.
-    factor: [Four; MOST_JOINT_ROWS],
+    factor: [Four; MOST_ROWS],
 }
 
 /// What four joints give: the impulse on A (N s), its opposite on B, and the moments about the centres of mass (N m s).
@@ -250,7 +249,7 @@ impl<L: Lanes> Kernel<L> for Factor<'_> {
                 pivot = pivot - value * factors[i][j];
             }
             let inverse = L::splat(1.0) / pivot;
-            factors[i][i] = L::pick_greater(pivot, L::splat(DEPENDENT) * diagonal, inverse, zero);
+            factors[i][i] = L::pick_greater(pivot, L::splat(TRUSTED_PIVOT) * diagonal, inverse, zero);
         }
         for (i, row) in rows.iter_mut().enumerate() {
             for j in 0..=i {

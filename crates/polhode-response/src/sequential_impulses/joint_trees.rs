@@ -12,7 +12,7 @@
 //! and back from the roots:     l = -S^-1 (C v_c + P v_p + b g),    v_c <- v_c + F_c C^T l
 //! ```
 //!
-//! `D` is the diagonal of `J M^-1 J^T` of the joint alone; `e D` ([`PROXIMAL_OF_JOINTS`]) holds the change of
+//! `D` is the diagonal of `J M^-1 J^T` of the joint alone; `e D` ([`rounding::HALF_OF_THE_DIGITS`]) holds the change of
 //! multipliers small where rows depend on each other. The bodies
 //! take the impulses `J^T l` of all joints, so that momentum is kept to rounding. Joints that close loops, and limits,
 //! are solved in turns with the trees, in lanes.
@@ -23,19 +23,16 @@
 //! of masses of 1e6 costs six digits.
 
 use super::body::ImpulseBody;
-use super::joint::{ImpulseJoint, JointLaw, JointRow, MOST_JOINT_ROWS};
-use crate::sparse::held_forest::DEPENDENT_PIVOT;
+use super::joint::{ImpulseJoint, JointLaw, JointRow};
+use crate::law::MOST_ROWS;
+use polhode_spatial::rounding;
 use polhode_spatial::{DVec3, DisjointSets};
-
-/// What holds the change of multipliers small, relative to the diagonal (no unit, 1e-10 to 1e-6): half of the digits,
-/// and less than the inverse of a ratio of masses of 1e6.
-const PROXIMAL_OF_JOINTS: f64 = 1e-8;
 
 /// Coordinates of a body: along, and about its centre of mass.
 const WIDTH: usize = 6;
 
 type Coordinates = [f64; WIDTH];
-type Lines = [Coordinates; MOST_JOINT_ROWS];
+type Lines = [Coordinates; MOST_ROWS];
 
 /// A joint of a tree with its factors.
 #[derive(Debug, Clone, Default)]
@@ -173,7 +170,7 @@ impl JointTrees {
                     branch.of_child[k][j] = dot(&own[j], &branch.of_own[k]);
                     branch.of_both[k][j] = dot(&above[j], &branch.of_above[k]);
                 }
-                branch.of_child[k][k] += PROXIMAL_OF_JOINTS * diagonal(k);
+                branch.of_child[k][k] += rounding::HALF_OF_THE_DIGITS * diagonal(k);
                 for j in 0..=k {
                     branch.of_both[k][j] += branch.of_child[k][j];
                 }
@@ -283,7 +280,7 @@ fn dot(left: &Coordinates, right: &Coordinates) -> f64 {
 
 /// A symmetric matrix times each of the first lines.
 fn times(matrix: &Lines, lines: &Lines, count: usize) -> Lines {
-    let mut products = [[0.0; WIDTH]; MOST_JOINT_ROWS];
+    let mut products = [[0.0; WIDTH]; MOST_ROWS];
     for (product, line) in products.iter_mut().zip(lines).take(count) {
         for (value, own) in product.iter_mut().zip(matrix) {
             *value = dot(own, line);
@@ -317,7 +314,7 @@ fn factor(matrix: &mut Lines, size: usize) {
             matrix[i][j] = value * matrix[j][j];
             pivot -= value * matrix[i][j];
         }
-        matrix[i][i] = if pivot > DEPENDENT_PIVOT * diagonal { 1.0 / pivot } else { 0.0 };
+        matrix[i][i] = if pivot > rounding::HUNDREDS_OF_TERMS * diagonal { 1.0 / pivot } else { 0.0 };
     }
 }
 

@@ -16,7 +16,7 @@ use super::joint::JointLaw;
 use super::joints::JointImpulses;
 use super::lanes::{FOUR, Four};
 use super::lone_bounce::{self, Bounce};
-use super::stages::{LAST_BOUNCE, MOST_BOUNCES};
+use super::stages::{LAST_BOUNCE, MOST_PASSES};
 use super::sweep::SweepRule;
 use super::works::Works;
 use crate::impact::friction::CollisionMatrix;
@@ -88,7 +88,7 @@ impl JointImpulses {
         all += self.bounce_single(solver, colliding, &jointed);
         all.colliding_j += self.hold(solver, relax);
         let mut largest = 0.0_f64;
-        for turn in 0..MOST_BOUNCES {
+        for turn in 0..MOST_PASSES {
             let bounced = solver.part_again(colliding, &jointed, turn > 0);
             all += bounced;
             all.colliding_j += self.hold(solver, relax);

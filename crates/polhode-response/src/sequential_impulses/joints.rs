@@ -24,24 +24,20 @@
 
 use super::body::ImpulseBody;
 use super::colours::{Colours, GROUPS, NO_COLOUR};
-use super::joint::{ImpulseJoint, JointLaw, JointRow, MOST_JOINT_ROWS};
+use super::joint::{ImpulseJoint, JointLaw, JointRow};
 use super::joint_batch::{self, JointBatch, LaneImpulse, LaneRow};
 use super::joint_trees::JointTrees;
 use super::lanes::{FOUR, Four};
-use super::stages::LAST_BOUNCE;
+use super::stages::{LAST_BOUNCE, MOST_PASSES};
 use super::sweep::SweepRule;
 use super::{LaneWidth, SequentialImpulses};
+use crate::law::MOST_ROWS;
 use polhode_spatial::DVec3;
 use wide::{f64x2, f64x4};
 
-/// How often a sweep goes over all joints at most, forth and back in turn (8 to 64). Where nothing has been struck two
-/// rounds or three do, since the impulses of the substep before are those of the present one but for the order of its
-/// length; where a limit is, as many as it takes.
-const MOST_JOINT_ROUNDS: usize = 16;
-
 /// Kinds of batches of one colour: limits, and joints by their number of rows, those that close loops and those of
 /// trees.
-const KINDS: usize = 1 + 2 * MOST_JOINT_ROWS;
+const KINDS: usize = 1 + 2 * MOST_ROWS;
 
 /// An impulse on a body: force part (N s), and moment about its centre of mass (N m s).
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -100,7 +96,7 @@ impl JointImpulses {
 
     /// Adds a joint of bodies that the solver has. Returns its number.
     pub fn add(&mut self, joint: ImpulseJoint) -> usize {
-        let rows = if joint.law == JointLaw::Limit { 1 } else { joint.rows.clamp(1, MOST_JOINT_ROWS) };
+        let rows = if joint.law == JointLaw::Limit { 1 } else { joint.rows.clamp(1, MOST_ROWS) };
         self.joints.push(ImpulseJoint { rows, ..joint });
         self.joints.len() - 1
     }
@@ -143,7 +139,7 @@ impl JointImpulses {
         let mut counts = [0_u32; GROUPS * KINDS + 1];
         for (number, joint) in self.joints.iter().enumerate() {
             let colour = self.colours.next(joint.bodies, joint.bodies.map(&moves));
-            let of_tree = if self.trees.has(number) { MOST_JOINT_ROWS as u32 } else { 0 };
+            let of_tree = if self.trees.has(number) { MOST_ROWS as u32 } else { 0 };
             let kind = if joint.law == JointLaw::Limit { 0 } else { joint.rows as u32 + of_tree };
             let key = colour * KINDS as u32 + kind;
             counts[key as usize + 1] += 1;
@@ -184,7 +180,7 @@ impl JointImpulses {
     }
 
     /// Gives a joint the multipliers that are known at the start of a step, N s. [`Self::start`] follows.
-    pub fn set_multipliers(&mut self, number: usize, multipliers: [f64; MOST_JOINT_ROWS]) {
+    pub fn set_multipliers(&mut self, number: usize, multipliers: [f64; MOST_ROWS]) {
         let Some(Place { batch, lane }) = self.places.get(number).copied() else { return };
         let JointBatch { first, count, .. } = self.batches[batch as usize];
         let own = &mut self.rows[first as usize..(first + count) as usize];
@@ -201,7 +197,8 @@ impl JointImpulses {
     }
 
     /// Brings all joints to their laws: limits and joints that close loops in rounds forth and back, each followed by
-    /// the trees, until a round does little of what the largest has done.
+    /// the trees, until a round does little of what the largest has done. Where nothing has been struck two rounds or
+    /// three do, since the impulses of the substep before are those of the present one but for the order of its length.
     pub fn sweep(&mut self, solver: &mut SequentialImpulses, rule: &SweepRule) {
         self.sweep_by_rounds(solver, rule, |_, _| 0.0);
     }
@@ -214,7 +211,7 @@ impl JointImpulses {
         of_trees: impl Fn(&JointTrees, &[ImpulseBody]) -> f64,
     ) -> f64 {
         let (mut all, mut largest) = (0.0, 0.0_f64);
-        for round in 0..MOST_JOINT_ROUNDS {
+        for round in 0..MOST_PASSES {
             let mut work = Four::default();
             for place in rounds_of(round, self.batches.len()) {
                 let batch = &mut self.batches[place];
@@ -279,8 +276,8 @@ impl JointImpulses {
     }
 
     /// The multipliers of a joint: of the last substep, N s.
-    pub fn multipliers(&self, number: usize) -> [f64; MOST_JOINT_ROWS] {
-        let mut multipliers = [0.0; MOST_JOINT_ROWS];
+    pub fn multipliers(&self, number: usize) -> [f64; MOST_ROWS] {
+        let mut multipliers = [0.0; MOST_ROWS];
         if let Some(Place { batch, lane }) = self.places.get(number).copied() {
             let JointBatch { first, count, .. } = self.batches[batch as usize];
             let own = &self.rows[first as usize..(first + count) as usize];
@@ -342,7 +339,7 @@ mod tests {
         let body = solver.add_body(ImpulseBody::new(0.5, DMat3::IDENTITY * 2.0));
         solver.body_mut(body).set_velocity(DVec3::new(1.0, -2.0, 3.0), DVec3::new(0.3, 0.2, -0.1));
         let arm = DVec3::X;
-        let mut rows = [JointRow::default(); MOST_JOINT_ROWS];
+        let mut rows = [JointRow::default(); MOST_ROWS];
         for (row, &direction) in rows.iter_mut().zip(directions) {
             let moments = [arm.cross(direction), DVec3::ZERO];
             *row = JointRow { force: direction, moments, gap };
@@ -426,7 +423,7 @@ mod tests {
     fn two_and_four_lanes_give_the_same_bits() {
         let of = |width: LaneWidth| {
             let (mut solver, mut joints, all) = crowd(width);
-            joints.set_multipliers(3, [0.1; MOST_JOINT_ROWS]);
+            joints.set_multipliers(3, [0.1; MOST_ROWS]);
             let mut works = Vec::new();
             for _ in 0..2 {
                 joints.start(&mut solver);

@@ -86,7 +86,7 @@ mod together;
 mod works;
 
 pub use body::ImpulseBody;
-pub use joint::{ImpulseJoint, JointLaw, JointRow, MOST_JOINT_ROWS};
+pub use joint::{ImpulseJoint, JointLaw, JointRow};
 pub use joints::{BodyImpulse, JointImpulses};
 pub use manifold::{ImpulseManifold, MOST_POINTS, ManifoldPoint, PointImpulse};
 pub use residual::Residual;

@@ -76,9 +76,9 @@ pub(super) fn warm_start<L: Lanes>(bodies: &mut [ImpulseBody], batches: &[Batch]
     }
 }
 
-/// Most passes over contacts that collided (8 to 64): friction of a bounce changes the speed at which it parts, and
-/// that of its neighbours.
-pub(super) const MOST_BOUNCES: usize = 16;
+/// Most passes of a sweep, over contacts that collided or over joints, forth and back in turn (8 to 64): friction of a
+/// bounce changes the speed at which it parts, and that of its neighbours; where a limit is, joints take as many.
+pub(super) const MOST_PASSES: usize = 16;
 
 /// Passes end with one that does less than this part of what the largest has done (no unit, 1e-6 to 1e-2): a part of
 /// the energy of a blow.
@@ -122,7 +122,7 @@ pub(super) fn part_again<L: Lanes>(
 ) -> Works {
     let (mut all, mut largest) = (Works::default(), 0.0_f64);
     let collided: Vec<&Batch> = batches.iter().filter(|batch| may_bounce(batch, points, colliding)).collect();
-    for pass in 0..MOST_BOUNCES {
+    for pass in 0..MOST_PASSES {
         let alone = bouncing.in_pass(pass);
         let mut works = FourWorks::default();
         for batch in &collided {

@@ -18,7 +18,8 @@
 //! principal minors. Sources: Judice and Pires 1994 (block pivoting), Murty 1974, Golub and Van Loan 4.1,
 //! docs/REFERENCES.md.
 //!
-//! Failure: after [`MOST_ROUNDS`] rounds the last guess stands, without the negative impulses.
+//! Failure: after [`BLOCK_ROUNDS`] rounds, and as many more as there are sets of points, the last guess stands, without
+//! the negative impulses.
 
 use super::batch::PointRows;
 use super::lanes::{Lanes, by_place};
@@ -30,9 +31,6 @@ const PROXIMAL_OF_POINTS: f64 = 1e-6;
 
 /// Rounds in which all points change sides that contradict their guess: nearly all end in two.
 const BLOCK_ROUNDS: usize = 4;
-
-/// Rounds in all: of the 16 sets of four points each may come once more.
-const MOST_ROUNDS: usize = BLOCK_ROUNDS + 16;
 
 /// The problem of a patch with `N` points, in lanes.
 #[derive(Debug, Clone, Copy)]
@@ -74,7 +72,8 @@ impl<L: Lanes, const N: usize> Together<L, N> {
             L::pick_greater(self.wanted[i], stiffness * self.known[i], zero, self.may[i])
         });
         let mut change = [zero; N];
-        for round in 0..MOST_ROUNDS {
+        // Of the 16 sets of four points each may come once more.
+        for round in 0..BLOCK_ROUNDS + 16 {
             let least = presses.iter().fold(one, |least, presses| L::pick_greater(least, *presses, *presses, least));
             let all_press = !L::any_greater(one, least);
             change = if all_press { self.of_set::<true>(&presses) } else { self.of_set::<false>(&presses) };

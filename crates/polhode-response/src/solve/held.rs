@@ -6,8 +6,8 @@ use crate::dense::kernels::dot;
 use crate::error::{ResponseError, check_length};
 use crate::least_norm_hold::LeastNormHold;
 use crate::problem::ContactProblem;
-use crate::sliding::DEPENDENT_COLUMN;
 use crate::sparse::{ForestSolution, HeldForest};
+use crate::tolerances::DEPENDENT as DEPENDENT_COLUMN;
 use std::ops::Range;
 
 /// The reactions of joints that hold against these constant terms: beside their trees, or with the matrix of all rows.

@@ -9,9 +9,7 @@ use crate::impact::friction::{
 };
 use crate::impact::{ImpactLaw, ImpactOutcome, ImpactProblem, ImpactSettings, propagation_in_order};
 use crate::problem::ContactProblem;
-
-/// Largest residual of an impact that is taken for the rounding of velocities (no unit, 1e-6 to 1e-3).
-const LARGEST_VELOCITY_ROUNDING: f64 = 1e-4;
+use crate::tolerances::LARGEST_RESIDUAL_ROUNDING;
 
 /// An impact at rows without friction.
 #[derive(Debug, Clone, Copy)]
@@ -137,7 +135,7 @@ fn settings_for(impact: &BlockImpact<'_>) -> MultipleImpactSettings {
     settings.threshold = impact.threshold.unwrap_or(settings.threshold);
     let largest = impact.before.iter().fold(0.0, |most: f64, velocity| most.max(velocity.abs()));
     if largest > 0.0 {
-        let rounding = (impact.noise_floor / largest).min(LARGEST_VELOCITY_ROUNDING);
+        let rounding = (impact.noise_floor / largest).min(LARGEST_RESIDUAL_ROUNDING);
         settings.solver.acceptance = settings.solver.acceptance.max(rounding);
     }
     settings

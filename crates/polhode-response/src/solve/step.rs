@@ -24,16 +24,13 @@ use crate::friction::{Blocks, BlocksSolution, FrictionSettings};
 use crate::problem::ContactProblem;
 use crate::report::SolverStatus;
 use crate::sparse::{BodySettings, BodySolver, HeldForest};
+use crate::tolerances::EXACT_ENOUGH;
 use std::collections::BTreeMap;
 use std::ops::Range;
 
 /// Most sweeps of block Gauss-Seidel after all other methods of the solver have failed. The error that remains is part
 /// of the error estimate of a stretch of crowded events.
 const LAST_SWEEPS: u32 = 100;
-
-/// The largest residual of a step's problem with which no other way is tried (no unit, 1e-9 to 1e-7): velocities are
-/// then wrong by at most about this fraction of the speed that gravity gives in a step.
-const EXACT_ENOUGH: f64 = 1e-8;
 
 /// As exactly as rounding allows where that is found soon, else as exactly as is accepted.
 const SETTINGS_IN_BODIES: BodySettings = BodySettings {

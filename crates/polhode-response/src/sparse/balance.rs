@@ -31,9 +31,6 @@ use crate::sparse::system::{BodySystem, RowMatrix, Sides};
 /// leaves less in one round, and more to rounding of the factors.
 const STIFFNESS: f64 = 1e8;
 
-/// Rounds of changes (10 to 50): each one leaves a part of 1e-6, and of a heavy body on light ones a part of 1e-2.
-const MOST_ROUNDS: usize = 24;
-
 /// What is left on a body is rounding when it is at most this part of the sum of the magnitudes of the forces on it (no
 /// unit, 1e-16 to 1e-14).
 const BALANCED: f64 = 2e-15;
@@ -115,7 +112,8 @@ fn balance(problem: &BodyProblem, reactions: &mut Vec<f64>) -> f64 {
     let mut system = BodySystem::default();
     system.factor(problem, &elimination, &stiffnesses(problem, reactions));
     let (mut moved, mut change) = (Vec::new(), vec![0.0; reactions.len()]);
-    for _ in 0..MOST_ROUNDS {
+    // Each round leaves a part of 1e-6, and of a heavy body on light ones a part of 1e-2; what is left must fall.
+    loop {
         change.fill(0.0);
         system.solve(problem, &elimination, Sides { bodies: &unbalanced, rows: &mut change }, 0, &mut moved);
         let tried: Vec<f64> = reactions.iter().zip(&change).map(|(reaction, change)| reaction + change).collect();
@@ -123,14 +121,13 @@ fn balance(problem: &BodyProblem, reactions: &mut Vec<f64>) -> f64 {
         // Written so that NaN ends it.
         let is_better = now < left;
         if !is_better {
-            break;
+            return left;
         }
         (*reactions, left) = (tried, now);
         if left <= BALANCED {
-            break;
+            return left;
         }
     }
-    left
 }
 
 /// What forces leave on each body, and the largest relative to the sum of the magnitudes of the forces on the body.

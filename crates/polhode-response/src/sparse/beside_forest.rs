@@ -17,16 +17,13 @@ use crate::census::{self, Chain, Size};
 use crate::certificate::nan_max;
 use crate::delassus::Delassus;
 use crate::dense::kernels::dot;
+use crate::dense::scalar::Scalar;
 use crate::error::{ResponseError, check_finite, check_length};
 use crate::problem::ContactProblem;
 #[cfg(feature = "census")]
 use crate::report::SolverStatus;
 use crate::sparse::forest_passes::ForestPasses;
 use crate::sparse::held_forest::HeldForest;
-
-/// A row that moves less than this part of what it would move without the trees is held by them already, as some rows
-/// of a bridge that hangs by both ends (no unit): what is left is rounding, of either sign.
-const HELD_BY_TREES: f64 = 1e-14;
 
 /// Solves with the factors: the first one, and one for what rounding has left.
 const ROUNDS: usize = 2;
@@ -78,7 +75,7 @@ impl HeldForest {
         let mobility = |&row: &usize| problem.entries(row).map(|own| dot(own.jacobian, own.response)).sum();
         let mut free: Vec<f64> = others.iter().map(mobility).collect();
         for (place, &free) in free.iter().enumerate() {
-            if entries[place * size + place] <= HELD_BY_TREES * free {
+            if entries[place * size + place] <= f64::ROUNDING * free {
                 for other in 0..size {
                     entries[place * size + other] = 0.0;
                     entries[other * size + place] = 0.0;

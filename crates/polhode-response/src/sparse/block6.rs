@@ -6,6 +6,8 @@
 //! replaced by the smallest that can be divided by, which leaves its unknown where it was; none of a positive
 //! definite block does.
 
+use crate::tolerances::VANISHING_PIVOT;
+
 /// Components of the velocity of a body in space.
 pub(crate) const WIDTH: usize = 6;
 
@@ -22,9 +24,6 @@ pub(crate) type Vector6 = [f64; WIDTH];
 pub(crate) fn unit<const W: usize>() -> Block<W> {
     std::array::from_fn(|i| std::array::from_fn(|j| f64::from(u8::from(i == j))))
 }
-
-/// What a pivot below it is replaced by (in units of the matrix, whose diagonal is 1 before contacts are added).
-const SMALLEST_BLOCK_PIVOT: f64 = 1e-200;
 
 /// `sum_i x_i y_i`.
 pub(crate) fn dot6(x: &Vector6, y: &Vector6) -> f64 {
@@ -98,8 +97,8 @@ impl<const W: usize> FactoredBlock<W> {
             let pivot = (k + 1..W).fold(k, larger);
             pivots[k] = pivot as u8;
             lines.swap(k, pivot);
-            if lines[k][k].abs() < SMALLEST_BLOCK_PIVOT {
-                lines[k][k] = SMALLEST_BLOCK_PIVOT;
+            if lines[k][k].abs() < VANISHING_PIVOT {
+                lines[k][k] = VANISHING_PIVOT;
             }
             inverses[k] = 1.0 / lines[k][k];
             let pivot_line = lines[k];

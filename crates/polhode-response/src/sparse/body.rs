@@ -1,9 +1,7 @@
 //! What a body of a sparse problem is to the solver: how it resists being set in motion.
 
 use crate::sparse::block6::{CholeskyBlock, Vector6, WIDTH};
-
-/// Largest relative asymmetry of a mass block that counts as rounding (no unit).
-const MASS_ROUNDING: f64 = 1e-12;
+use crate::tolerances::MATRIX_ROUNDING;
 
 /// The numbers of a mass block, row-major.
 pub(crate) type MassBlock = [f64; WIDTH * WIDTH];
@@ -114,7 +112,7 @@ fn factor_of_mass(block: &MassBlock) -> Option<CholeskyBlock<WIDTH>> {
             let (entry, mirror) = (block[i * WIDTH + j], block[j * WIDTH + i]);
             let size = (block[i * WIDTH + i] * block[j * WIDTH + j]).abs().sqrt();
             // Written so that NaN is refused.
-            let is_symmetric = (entry - mirror).abs() <= MASS_ROUNDING * size;
+            let is_symmetric = (entry - mirror).abs() <= MATRIX_ROUNDING * size;
             if !is_symmetric {
                 return None;
             }

@@ -24,6 +24,8 @@ use crate::sparse::elimination::Elimination;
 use crate::sparse::iterate::{Iterate, Measure};
 use crate::sparse::problem::BodyProblem;
 use crate::sparse::system::{BodySystem, RowMatrix, Sides};
+use crate::tolerances::DECREASE;
+use crate::tolerances::MOST_SHORT_STEPS;
 
 /// The least compliance (no unit, 1e-8 to 1e-6): rounding of velocities, divided by it, is seen in the reactions.
 const LEAST_COMPLIANCE: f64 = 1e-7;
@@ -46,19 +48,13 @@ const MOST_FAILURES: usize = 6;
 
 /// Newton's steps at one compliance, and how many of them may be too short.
 const MOST_STEPS: usize = 8;
-const MOST_SHORT_STEPS: usize = 2;
-
 /// A step that is halved to less than this is too short (no unit).
 const SHORT_STEP: f64 = 0.02;
 
 /// What Newton's method leaves of the bodies' equation, relative to what contacts give: this share of the compliance,
 /// within these bounds (no units). It need not be as exact as the next compliance asks for, and not beyond rounding.
 const SHARE_OF_COMPLIANCE: f64 = 0.3;
-const LEAST_MISSING: f64 = 1e-7;
 const LARGEST_MISSING: f64 = 1e-2;
-
-/// Share of the decrease promised that a step must bring (no unit); the usual one of Armijo.
-const PATH_DECREASE: f64 = 1e-4;
 
 /// Times that rounding of the factors is solved for again.
 const PATH_REFINEMENTS: usize = 1;
@@ -194,7 +190,7 @@ impl<'a> CompliancePath<'a> {
     fn newton(&mut self, system: &mut BodySystem, c: f64, most: usize) -> Came {
         let mut at = std::mem::take(&mut self.at);
         self.evaluate(c, &mut at);
-        let wanted = (SHARE_OF_COMPLIANCE * c).clamp(LEAST_MISSING, LARGEST_MISSING);
+        let wanted = (SHARE_OF_COMPLIANCE * c).clamp(LEAST_COMPLIANCE, LARGEST_MISSING);
         let (mut steps, mut short) = (0, 0);
         let came = loop {
             // One step at the least: its factors are those of the tangent.
@@ -228,7 +224,7 @@ impl<'a> CompliancePath<'a> {
                 add_scaled(length, dv, v);
             }
             self.evaluate(c, &mut trial);
-            if trial.missing < (1.0 - PATH_DECREASE * length) * at.missing || length < SHORT_STEP {
+            if trial.missing < (1.0 - DECREASE * length) * at.missing || length < SHORT_STEP {
                 break;
             }
             length *= 0.5;

@@ -12,9 +12,7 @@ use crate::law::{Law, MOST_ROWS};
 use crate::sparse::jordan::{UNIT, tail, tail_product};
 use crate::sparse::problem::{BodyProblem, RowBlock};
 use crate::sparse::system::RowMatrix;
-
-/// Equations of a compliant contact below this fraction of the largest depend on the others (no unit): rounding.
-const DEPENDENT_COMPLIANCE: f64 = 1e-16;
+use crate::tolerances::DEPENDENT_COMPLIANCE;
 
 /// A block that is no hold.
 #[derive(Debug, Clone, Copy)]

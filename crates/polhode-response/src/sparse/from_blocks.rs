@@ -22,9 +22,7 @@ use crate::sparse::problem::{BodyProblem, BodyRows};
 use crate::sparse::settings::BodySettings;
 use crate::sparse::solution::{BodyMethod, BodyReport, BodySolution};
 use crate::sparse::solver::BodySolver;
-
-/// The residual of an impact of many contacts that counts as solved (no unit, 1e-9 to 1e-7).
-const ACCEPTED_OF_MANY: f64 = 1e-8;
+use crate::tolerances::EXACT_ENOUGH;
 
 /// Factorisations for an impact of many contacts, and where other restitutions can be tried in its place.
 const FACTORISATIONS_OF_AN_IMPACT: usize = 150;
@@ -160,7 +158,7 @@ pub(crate) fn solve_behind(
     let is_one_of_many = settings.fallback == FallbackPolicy::Refuse;
     let limits = BodySettings {
         tolerance: settings.tolerance,
-        acceptance: settings.acceptance.max(ACCEPTED_OF_MANY),
+        acceptance: settings.acceptance.max(EXACT_ENOUGH),
         factorisations: if is_one_of_many { FACTORISATIONS_OF_AN_ATTEMPT } else { FACTORISATIONS_OF_AN_IMPACT },
         ..BodySettings::default()
     };

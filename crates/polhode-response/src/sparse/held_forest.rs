@@ -21,16 +21,11 @@
 //! Failure: no forest where an inverse mass is not positive definite, or where rows of one branch depend on each other.
 
 use crate::dense::kernels::{axpy, short_dot};
+use crate::law::MOST_ROWS;
 use crate::problem::ContactProblem;
 use polhode_spatial::DisjointSets;
+use polhode_spatial::rounding;
 use std::ops::Range;
-
-/// A pivot of a branch below this part of its diagonal counts as a row that depends on the others (no unit, 1e-14 to
-/// 1e-11): the rounding of some dozen terms over ratios of masses of 1e3 within one joint.
-pub(crate) const DEPENDENT_PIVOT: f64 = 1e-13;
-
-/// Most rows of one branch: a joint has six at most, and as many soft ones.
-const MOST_ROWS_OF_BRANCH: usize = 12;
 
 /// No parent: the branch is with the world, or there is none.
 const NONE: u32 = u32::MAX;
@@ -133,7 +128,8 @@ impl Branches {
                 pairs.push(pair);
                 counts.push(0);
             }
-            if counts[branch as usize] as usize == MOST_ROWS_OF_BRANCH {
+            // A joint holds as many rows as a block has at most, and has as many soft ones.
+            if counts[branch as usize] as usize == 2 * MOST_ROWS {
                 others.push(row);
                 continue;
             }
@@ -335,7 +331,7 @@ impl HeldForest {
                 }
                 matrix[index * rows + index] += self.compliances[limb.first_row as usize + index];
             }
-            if !cholesky(matrix, rows, DEPENDENT_PIVOT) {
+            if !cholesky(matrix, rows, rounding::HUNDREDS_OF_TERMS) {
                 return false;
             }
             if limb.parent == NONE {

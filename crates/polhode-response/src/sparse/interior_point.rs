@@ -21,13 +21,11 @@ use crate::sparse::interior_cone::InteriorCone;
 use crate::sparse::iterate::{Iterate, Measure};
 use crate::sparse::problem::BodyProblem;
 use crate::sparse::system::{BodySystem, RowMatrix, Sides, held_stiffness};
+use crate::tolerances::LEAST_DAMPING;
+use crate::tolerances::MOST_SHORT_STEPS;
 
 /// How far of the way to the boundary a step goes (no unit, 0.9 to 0.999).
 const TO_THE_BOUNDARY: f64 = 0.99;
-
-/// Compliance of the linear system alone, in velocities per load of each contact (no unit, 1e-11 to 1e-9): rounding
-/// of the factors, divided by it, would let reactions wander that move nothing.
-const INTERIOR_COMPLIANCE: f64 = 1e-9;
 
 /// The least of it, in inverse masses (no unit, 1e-13 to 1e-12): under heavy loads rounding of light bodies is seen.
 const LEAST_SHIFT: f64 = 1e-13;
@@ -42,12 +40,8 @@ const JAMMED_STEP: f64 = 0.2;
 /// path turns back where many contacts slide into each other; with none the slips are found by repetition.
 const SHARE_OF_SLIP: f64 = 0.9;
 
-/// How many of them in a row.
-const MOST_SHORT_STEPS: usize = 2;
-
-/// The same while the loads are still found: the gap is above this share of that at the start (no unit), and short
-/// steps say little.
-const MOST_SHORT_STEPS_AT_FIRST: usize = 12;
+/// The loads are still found while the gap is above this share of that at the start (no unit), and short steps say
+/// little.
 const LOADS_FOUND: f64 = 1e-2;
 
 /// Below this balanced residual a whole step that leaves this share of it shows contacts at the limit of sticking,
@@ -129,8 +123,7 @@ impl<'a> InteriorPoint<'a> {
             let is_slow = balanced < ROUGHLY && length > NEARLY_WHOLE && balanced > SLOWLY * last;
             last = balanced;
             // Written so that NaN ends it.
-            let most_short = if self.gap() < LOADS_FOUND { MOST_SHORT_STEPS } else { MOST_SHORT_STEPS_AT_FIRST };
-            let is_jammed = short >= most_short;
+            let is_jammed = short >= MOST_SHORT_STEPS && self.gap() < LOADS_FOUND;
             let goes_on = !is_jammed && balanced > NEAR && !is_slow;
             if !goes_on {
                 return;
@@ -216,7 +209,7 @@ impl<'a> InteriorPoint<'a> {
         self.stiffness.clear();
         let masses = &self.measure.inverse_masses;
         for (((block, cone), scale), mass) in problem.blocks.iter().zip(&mut self.cones).zip(&self.scales).zip(masses) {
-            let shift = (INTERIOR_COMPLIANCE * scale).max(LEAST_SHIFT * mass);
+            let shift = (LEAST_DAMPING * scale).max(LEAST_SHIFT * mass);
             self.stiffness.push(match cone {
                 Some(cone) => cone.linearise(&filled_up(&self.u[block.rows.clone()]), self.share, shift),
                 None => held_stiffness(problem, block, shift),

@@ -17,6 +17,7 @@ use crate::friction::coulomb_cone::natural_map;
 use crate::law::{Law, MOST_ROWS};
 use crate::sparse::block6::Vector6;
 use crate::sparse::problem::{BodyProblem, RowBlock};
+use crate::tolerances::LARGEST_RESIDUAL_ROUNDING;
 
 /// Share of the balanced residual that counts (no unit, 1e-5 to 1e-2): that of light bodies has fewer digits. Where
 /// 1e-8 is asked for, their velocities are right to 1e-5 of the fastest one.
@@ -24,10 +25,6 @@ const BALANCED_SHARE: f64 = 1e-3;
 
 /// Rounding of a velocity, in units in the last place of the largest reaction over the least mass (4 to 16).
 const ROUNDING_OF_RATES: f64 = 8.0;
-
-/// A balanced residual above this is never taken for rounding (no unit, 1e-7 to 1e-5): reactions so large that their
-/// rounding is more than this diverge, as where bodies are squeezed.
-const LARGEST_BALANCED_ROUNDING: f64 = 1e-6;
 
 /// Where a method is.
 #[derive(Debug, Clone, Default)]
@@ -136,7 +133,7 @@ impl Measure {
             return 0.0;
         }
         let rounding = ROUNDING_OF_RATES * f64::EPSILON * (most * largest(reactions)) / self.speed;
-        rounding.min(LARGEST_BALANCED_ROUNDING)
+        rounding.min(LARGEST_RESIDUAL_ROUNDING)
     }
 }
 

@@ -21,18 +21,12 @@ use crate::sparse::elimination::Elimination;
 use crate::sparse::iterate::{Iterate, Measure};
 use crate::sparse::problem::{BodyProblem, RowBlock};
 use crate::sparse::system::{BodySystem, RowMatrix, Sides};
+use crate::tolerances::DECREASE;
+use crate::tolerances::DEPENDENT_COMPLIANCE;
+use crate::tolerances::LEAST_DAMPING;
+use crate::tolerances::MOST_HALVINGS;
+use crate::tolerances::WENT_WELL;
 use std::ops::Range;
-
-/// Equations of a compliant contact below this fraction of the largest depend on the others (no unit): rounding.
-const DEPENDENT_ROW: f64 = 1e-16;
-
-/// Damping of the solve for loads that would hold all contacts (no unit, 1e-10 to 1e-8): heavy bodies on light ones
-/// are held as well, at ratios of 1e6.
-const HOLDING_SHARE: f64 = 1e-9;
-
-/// Least damping, in velocities per load (no unit, 1e-10 to 1e-8): rounding of velocities, divided by it, lets
-/// reactions wander that move nothing.
-const LEAST_STEP_DAMPING: f64 = 1e-9;
 
 /// The damping in units of the residual: at first and at the most, at the least, and what it is multiplied by after a
 /// step that went well and after another whole one (no units).
@@ -41,20 +35,11 @@ const LEAST_SHARE: f64 = 1e-3;
 const SHARE_AFTER_WELL: f64 = 0.4;
 const SHARE_AFTER_WHOLE: f64 = 0.7;
 
-/// What a step leaves of the function's square when it went well (no unit).
-const WENT_WELL: f64 = 0.25;
-
 /// Times that rounding of the factors is solved for again.
 const NEWTON_REFINEMENTS: usize = 1;
 
 /// Steps whose largest function the next one may reach.
 const MEMORY_OF_STEPS: usize = 6;
-
-/// Halvings of a step.
-const MOST_STEP_HALVINGS: usize = 6;
-
-/// Share of the decrease promised that a step must bring (no unit); the usual one of Armijo.
-const STEP_DECREASE: f64 = 1e-4;
 
 /// Limits of one run.
 #[derive(Debug, Clone, Copy)]
@@ -108,7 +93,7 @@ impl<'a> BodyNewton<'a> {
     pub(crate) fn holding(&mut self, system: &mut BodySystem, without: &Iterate) -> &[f64] {
         self.weights.clone_from(&self.inverse_masses);
         self.ask_to_hold(&without.rates);
-        self.factor(system, HOLDING_SHARE);
+        self.factor(system, LEAST_DAMPING);
         self.solve(system);
         let mut nearest = vec![0.0; self.problem.rows()];
         for block in &self.problem.blocks {
@@ -118,7 +103,7 @@ impl<'a> BodyNewton<'a> {
             *rate = -*rate;
         }
         self.ask_to_hold(&nearest);
-        self.condense(HOLDING_SHARE);
+        self.condense(LEAST_DAMPING);
         self.solve(system);
         &self.dr
     }
@@ -145,7 +130,7 @@ impl<'a> BodyNewton<'a> {
             if current.rank <= limits.tolerance || step - halved >= limits.patience {
                 return;
             }
-            self.step(system, (share * balanced).clamp(LEAST_STEP_DAMPING, 1.0));
+            self.step(system, (share * balanced).clamp(LEAST_DAMPING, 1.0));
             if !largest(&self.dr).is_finite() {
                 return;
             }
@@ -174,12 +159,12 @@ impl<'a> BodyNewton<'a> {
     fn search(&mut self, current: &Iterate, recent: f64, trial: &mut Iterate) -> (f64, f64) {
         let (mut length, mut square) = (1.0, f64::INFINITY);
         let mut wanted = Vec::with_capacity(self.dr.len());
-        for halving in 0..=MOST_STEP_HALVINGS {
+        for halving in 0..=MOST_HALVINGS {
             wanted.clear();
             wanted.extend(current.reactions.iter().zip(&self.dr).map(|(r, d)| r + length * d));
             trial.take(self.problem, self.measure, &wanted);
             square = self.linearise(trial);
-            if square <= (1.0 - STEP_DECREASE * length) * recent || halving == MOST_STEP_HALVINGS {
+            if square <= (1.0 - DECREASE * length) * recent || halving == MOST_HALVINGS {
                 break;
             }
             length *= 0.5;
@@ -306,7 +291,7 @@ fn condensed_with_compliance(law: &Linearised, compliance: BlockRows, damping: f
     let solved = |right: &dyn Fn(usize) -> f64| -> BlockRows {
         let mut y: BlockRows = std::array::from_fn(|k| if k < count { right(k) } else { 0.0 });
         let mut copy = matrix;
-        solve_small(&mut copy[..count * count], &mut y[..count], DEPENDENT_ROW);
+        solve_small(&mut copy[..count * count], &mut y[..count], DEPENDENT_COMPLIANCE);
         std::array::from_fn(|i| (0..count).map(|k| law.columns[k][i] * y[k]).sum())
     };
     let mut constant = solved(&|k| law.right[k] - weighted(&law.rows[k], &law.shift));

@@ -14,13 +14,11 @@ use crate::error::{ResponseError, check_finite, check_length};
 use crate::law::{Law, MOST_ROWS};
 use crate::sparse::block6::{Vector6, WIDTH, add_scaled, dot6};
 use crate::sparse::body::{BodyMass, MassFactor};
+use crate::tolerances::IMMOVABLE;
 use std::ops::Range;
 
 /// Most rows of a hold that is solved as one block; one of more is several.
 const HELD_TOGETHER: usize = 3;
-
-/// A block that nothing moves is measured by this fraction of the largest inverse mass (no unit).
-const IMMOVABLE_SHARE: f64 = 1e-3;
 
 /// The rows of one contact or joint.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -279,7 +277,7 @@ impl BodyProblem {
     /// `1 / rho` of each block: that of its first row, above 0.
     pub(crate) fn inverse_masses(&self) -> Vec<f64> {
         let most = self.diagonal.iter().fold(0.0, |most: f64, value| most.max(*value));
-        let least = if most > 0.0 { IMMOVABLE_SHARE * most } else { 1.0 };
+        let least = if most > 0.0 { IMMOVABLE * most } else { 1.0 };
         let of = |block: &RowBlock| {
             let own = self.diagonal[block.rows.start];
             if own > 0.0 { own } else { least }

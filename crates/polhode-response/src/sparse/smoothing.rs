@@ -16,6 +16,8 @@ use crate::sparse::iterate::{Iterate, Measure};
 use crate::sparse::problem::BodyProblem;
 use crate::sparse::smoothed_cone::{ConeStep, SmoothedCone};
 use crate::sparse::system::{BodySystem, RowMatrix, Sides, held_stiffness};
+use crate::tolerances::DECREASE;
+use crate::tolerances::LEAST_DAMPING;
 
 /// Bounds of the scale of velocities to reactions, in that by its load (no unit): a contact counts as sliding by a
 /// slip that is small beside all velocities, and yet above rounding.
@@ -26,9 +28,6 @@ const SMOOTHING_REFINEMENTS: usize = 1;
 
 /// Halvings of a step.
 const SMOOTHING_HALVINGS: usize = 2;
-
-/// Share of the decrease promised that a step must bring (no unit); the usual one of Armijo.
-const SMOOTHING_DECREASE: f64 = 1e-4;
 
 /// Damping at first, and the least that a failure leads to (shares of the scale, no unit).
 const FIRST_DAMPING: f64 = 1e-2;
@@ -48,9 +47,6 @@ const LESS_DAMPING: f64 = 0.1;
 /// unit).
 const STALLED_SMOOTHING_STEPS: usize = 4;
 const MORE_SMOOTHING: f64 = 10.0;
-
-/// The least damping: rounding would let reactions wander that move nothing.
-const LEAST_SMOOTHING_DAMPING: f64 = 1e-10;
 
 /// The function's square is less than this share of the natural map's: smoothing is what is left (no unit).
 const MOSTLY_SMOOTHING: f64 = 0.1;
@@ -168,7 +164,7 @@ impl<'a> Smoothing<'a> {
             wanted.extend(self.current.reactions.iter().zip(&self.dr).map(|(r, d)| r + length * d));
             trial.take(self.problem, self.measure, &wanted);
             let next = self.square(trial);
-            if next <= (1.0 - SMOOTHING_DECREASE * length) * square || halving == SMOOTHING_HALVINGS {
+            if next <= (1.0 - DECREASE * length) * square || halving == SMOOTHING_HALVINGS {
                 return (length, next);
             }
             length *= 0.5;
@@ -272,5 +268,5 @@ fn next_damping(damping: f64, length: f64, ratio: f64) -> f64 {
         return (SOME_MORE_DAMPING * damping).clamp(LEAST_AFTER_FAILURE, 1.0);
     }
     let factor = if HELPS.contains(&ratio) { LITTLE_LESS_DAMPING } else { LESS_DAMPING };
-    (factor * damping).max(LEAST_SMOOTHING_DAMPING)
+    (factor * damping).max(LEAST_DAMPING)
 }

@@ -61,8 +61,7 @@ const COMPLIANCE_PER_RESIDUAL: f64 = 30.0;
 const LEAST_FIRST_COMPLIANCE: f64 = 1e-6;
 const LARGEST_FIRST_COMPLIANCE: f64 = 1.0;
 
-/// Runs of the path, each about the answer of the last one, as long as the residual halves; factorisations of each.
-const MOST_PATHS: usize = 3;
+/// Factorisations of a path of compliance.
 const FACTORISATIONS_OF_A_PATH: usize = 40;
 
 /// The solver, with the elimination of the last problem: it is kept as long as the same bodies are coupled by the
@@ -350,12 +349,9 @@ impl Chain<'_> {
         self.finish_with_newton(near, NEWTON_STEPS);
     }
 
-    /// Paths of compliance, each from the answer of the last one.
+    /// Paths of compliance, each from the answer of the last one, as long as the residual halves.
     fn follow_paths(&mut self, mut from: Iterate, most: usize) {
-        for _ in 0..MOST_PATHS {
-            if self.is_enough() || self.left() == 0 {
-                return;
-            }
+        while !self.is_enough() && self.left() > 0 {
             let last = from.rank;
             let mut path = self.path(&from.reactions, from.reactions.clone());
             let first = COMPLIANCE_PER_RESIDUAL * self.measure.balanced(self.problem, &from);

@@ -7,7 +7,8 @@
 use super::finding::{Findings, RobotDefect};
 use super::model::{Inertial, Link, Robot, RobotJointKind};
 use glam::{DMat3, DVec3};
-use polhode::spatial::inertia::{VALIDITY_TOLERANCE, point_inertia};
+use polhode::spatial::inertia::point_inertia;
+use polhode::spatial::rounding;
 use polhode::spatial::{Inertia, InertiaError, Mass, MassProperties, Pose, PrincipalAxes};
 use std::borrow::Cow;
 
@@ -150,7 +151,7 @@ fn checked<'a>(link: &'a Link, unphysical: Unphysical, findings: &mut Findings) 
         return Some(Cow::Borrowed(own));
     }
     // A matrix that is singular and breaks the triangle inequality is told for the latter, which is worse.
-    let breaks = moments.z - moments.x - moments.y > VALIDITY_TOLERANCE * moments.z;
+    let breaks = moments.z - moments.x - moments.y > rounding::DIGITS_OF_A_FILE * moments.z;
     let error = match error {
         InertiaError::NotPositive(_) if breaks && moments.x >= 0.0 => InertiaError::TriangleInequality(moments),
         other => other,
@@ -183,6 +184,6 @@ fn is_of_rod_or_point(moments: DVec3, error: InertiaError) -> bool {
     if !matches!(error, InertiaError::NotPositive(_)) {
         return false;
     }
-    let rounding = VALIDITY_TOLERANCE * moments.z;
+    let rounding = rounding::DIGITS_OF_A_FILE * moments.z;
     moments.x >= -rounding && moments.z >= 0.0 && moments.z - moments.x - moments.y <= rounding
 }

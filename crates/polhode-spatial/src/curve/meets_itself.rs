@@ -9,9 +9,6 @@ use glam::DVec3;
 /// point that is held on it, and far below what a drawing shows.
 const LEAST_DISTANCE: f64 = 1e-6;
 
-/// Most halvings of two parts that may be near each other.
-const MOST_HALVINGS: u32 = 40;
-
 /// Two places of a curve near each other.
 #[derive(Debug, Clone, Copy)]
 struct Meeting {
@@ -32,7 +29,7 @@ struct Part {
 
 impl Part {
     fn halves(&self, curve: &Curve) -> [Self; 2] {
-        let middle = 0.5 * (self.from + self.to);
+        let middle = self.middle_m();
         let point = curve.at(middle).point;
         let sagitta = 0.25 * self.sagitta;
         [Self { to: middle, end: point, sagitta, ..*self }, Self { from: middle, start: point, sagitta, ..*self }]
@@ -40,6 +37,11 @@ impl Part {
 
     fn radius(&self) -> f64 {
         0.5 * (self.end - self.start).length() + self.sagitta
+    }
+
+    /// Arc length between the ends, m.
+    fn middle_m(&self) -> f64 {
+        0.5 * (self.from + self.to)
     }
 
     fn middle(&self) -> DVec3 {
@@ -66,7 +68,7 @@ impl Curve {
                 if self.is_closed && i == 0 && j == last {
                     continue;
                 }
-                let found = self.near(first, second, least_m, MOST_HALVINGS);
+                let found = self.near(first, second, least_m);
                 if let Some(Meeting { distance_m, at_m: [first_m, second_m] }) = found {
                     return Err(CurveError::MeetsItself { distance_m, first_m, second_m, least_m });
                 }
@@ -76,23 +78,22 @@ impl Curve {
     }
 
     /// A place at which two parts are nearer than `least` (m).
-    fn near(&self, first: &Part, second: &Part, least: f64, halvings: u32) -> Option<Meeting> {
+    fn near(&self, first: &Part, second: &Part, least: f64) -> Option<Meeting> {
         let distance = (first.middle() - second.middle()).length();
         let (a, b) = (first.radius(), second.radius());
         if distance - a - b > least {
             return None;
         }
-        if halvings == 0 || a + b < 0.1 * least {
-            let at_m = [first, second].map(|part| 0.5 * (part.from + part.to));
+        let (larger, middle) = if a >= b { (first, first.middle_m()) } else { (second, second.middle_m()) };
+        // A part with no arc length between its ends is not halved.
+        if a + b < 0.1 * least || !(middle > larger.from && middle < larger.to) {
+            let at_m = [first, second].map(Part::middle_m);
             return Some(Meeting { distance_m: distance, at_m });
         }
-        let (whole, halves) = if a >= b { (second, first.halves(self)) } else { (first, second.halves(self)) };
-        halves.iter().find_map(|half| {
-            if a >= b {
-                self.near(half, whole, least, halvings - 1)
-            } else {
-                self.near(whole, half, least, halvings - 1)
-            }
-        })
+        if a >= b {
+            first.halves(self).iter().find_map(|half| self.near(half, second, least))
+        } else {
+            second.halves(self).iter().find_map(|half| self.near(first, half, least))
+        }
     }
 }

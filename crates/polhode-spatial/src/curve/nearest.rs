@@ -10,9 +10,6 @@ use super::place::CurvePoint;
 use super::span::{Block, Span};
 use glam::DVec3;
 
-/// Most steps of an iteration: bisection alone would take 52.
-const MOST_STEPS: usize = 80;
-
 /// Newton's iteration ends when it changes the parameter by less than this part of it and of its range (no unit):
 /// rounding.
 const STEP_RELATIVE: f64 = 4.0 * f64::EPSILON;
@@ -94,7 +91,9 @@ impl Curve {
         }
         let (mut low, mut high) = (span.from, span.to);
         let mut u = low + (high - low) * (at_start / (at_start - at_end));
-        for _ in 0..MOST_STEPS {
+        // Each step replaces an end of the bracket by a place within it, near a simple zero by Newton's quadratic
+        // steps: they end when a step is rounding of the parameter and of its range.
+        loop {
             let (value, slope) = g(u);
             if value > 0.0 {
                 low = u;

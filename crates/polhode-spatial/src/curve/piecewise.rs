@@ -15,19 +15,13 @@ use super::piece::{Piece, Stretch};
 use super::place::CurvePoint;
 use super::span::{Block, Span, blocks, spans};
 use super::spline::{self, SplineEnds};
+use crate::rounding;
 use crate::unit_vector::UnitVector;
 use glam::DVec3;
 use std::f64::consts::TAU;
 
 /// How far from a plane the points of a curve in it may be, as a part of its size (no unit, 1e-14 to 1e-10): rounding.
 const IN_PLANE_RELATIVE: f64 = 1e-12;
-
-/// Curvatures that differ by less than this part of them are equal (no unit, 1e-12 to 1e-6): the digits of a file.
-const CURVATURE_JUMP: f64 = 1e-9;
-
-/// How far apart the ends of a closed path may be, as a part of its length (no unit, 1e-12 to 1e-9): rounding of its
-/// lengths.
-const CLOSED_RELATIVE: f64 = 1e-9;
 
 /// The plane that a curve lies in.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -151,8 +145,8 @@ impl Curve {
         let plane = if is_straight { CurvePlane::Straight } else { CurvePlane::Plane(frame.normal) };
         let open = Self::new(stretches, start, false, Some(plane))?;
         let [first, last] = [open.at(0.0), open.at(open.length)];
-        let closes = (last.point - first.point).length() <= CLOSED_RELATIVE * open.length
-            && (last.tangent - first.tangent).length() <= CLOSED_RELATIVE;
+        let closes = (last.point - first.point).length() <= rounding::DIGITS_OF_A_FILE * open.length
+            && (last.tangent - first.tangent).length() <= rounding::DIGITS_OF_A_FILE;
         let closed = Self { is_closed: closes, ..open };
         closed.check_distance_from_itself()?;
         Ok(closed)
@@ -297,7 +291,7 @@ impl Curve {
             let end = self.stretches[before.piece].piece.at(before.to, before.known()).curvature();
             let start = self.stretches[after.piece].piece.at(after.from, after.known()).curvature();
             let size = end.length().max(start.length());
-            ((end - start).length() > CURVATURE_JUMP * size).then_some(after.arc)
+            ((end - start).length() > rounding::DIGITS_OF_A_FILE * size).then_some(after.arc)
         };
         let first_and_last = self.spans.first().zip(self.spans.last()).filter(|_| self.is_closed);
         let mut inside = self.spans.windows(2).filter(|pair| pair[0].piece != pair[1].piece);

@@ -15,8 +15,9 @@
 //! Failure: at times so far away that a product overflows the pose is not finite, which its users report.
 
 use super::error::check_start;
-use super::steady_spin::{CANCELLATION, length, length_bound, turned};
+use super::steady_spin::{length, length_bound, turned};
 use super::{Motion, MotionBounds, MotionError};
+use crate::rounding;
 use crate::{Pose, Rotation, UnitVector, Velocity};
 use glam::DVec3;
 
@@ -89,7 +90,7 @@ impl Motion for ConstantScrew {
         let (speed, angular_speed) = (length_bound(self.velocity.linear), length_bound(self.velocity.angular));
         MotionBounds {
             speed,
-            acceleration: length_bound(self.towards_axis) + CANCELLATION * speed * angular_speed,
+            acceleration: length_bound(self.towards_axis) + rounding::FEW_TERMS * speed * angular_speed,
             angular_speed,
             angular_acceleration: 0.0,
         }

@@ -10,8 +10,9 @@
 //! Failure: at times so far away that a product overflows the pose is not finite, which its users report.
 
 use super::error::check_start;
-use super::steady_spin::{CANCELLATION, length_bound, turned};
+use super::steady_spin::{length_bound, turned};
 use super::{Motion, MotionBounds, MotionError};
+use crate::rounding;
 use crate::{Pose, Velocity};
 use glam::DVec3;
 
@@ -54,7 +55,7 @@ impl SteadyFlight {
     /// Bound of the speed at one time, with the rounding of what it is the sum of; infinite where it cannot be told.
     fn speed_bound(&self, t: f64) -> f64 {
         let summands = length_bound(self.velocity.linear) + length_bound(self.acceleration) * (t - self.t0).abs();
-        let bound = length_bound(self.linear_velocity(t)) + CANCELLATION * summands;
+        let bound = length_bound(self.linear_velocity(t)) + rounding::FEW_TERMS * summands;
         if bound.is_nan() { f64::INFINITY } else { bound }
     }
 }

@@ -2,14 +2,8 @@
 //! lengths that are never too small.
 
 use crate::Rotation;
+use crate::rounding;
 use glam::DVec3;
-
-/// Factor that covers the rounding of a bound's own evaluation and of the velocity that it bounds: a few dozen
-/// operations, each good to 1.1e-16 relative.
-const ROUNDING: f64 = 1.0 + 64.0 * f64::EPSILON;
-
-/// Rounding of a sum or difference of products, relative to the sum of their magnitudes (dimensionless).
-pub(super) const CANCELLATION: f64 = 8.0 * f64::EPSILON;
 
 /// The attitude `s` seconds after it was `start`, turning with `spin` (rad/s, world); exactly `start` at `s = 0` and
 /// without spin. The angle's rounding, `|w| s` times 1e-16, is the error.
@@ -30,7 +24,7 @@ pub(super) fn length_bound(vector: DVec3) -> f64 {
         0.0
     } else if vector.is_finite() {
         // Products of the smallest numbers round by more than a factor covers.
-        length(vector) * ROUNDING + f64::MIN_POSITIVE
+        length(vector) * (1.0 + rounding::DOZENS_OF_TERMS) + f64::MIN_POSITIVE
     } else {
         f64::INFINITY
     }

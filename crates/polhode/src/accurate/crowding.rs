@@ -37,7 +37,7 @@ use crate::model::{Model, tolerances};
 use crate::solve::cone_violation::CONE_LIMIT;
 use crate::solve::overlap::Overlaps;
 use crate::tier::core::Core;
-use crate::time_stepping::TimeStepper;
+use crate::time_stepping::{MOST_SPLITS, TimeStepper};
 use polhode_contact::aabb_of;
 use polhode_dynamics::BodyState;
 use polhode_response::ResponseError;
@@ -51,9 +51,6 @@ const SHORTEST_STEP: f64 = 1e-5;
 
 /// Longest stretch, in longest steps.
 const LONGEST_STRETCH: f64 = 16.0;
-
-/// Most impacts at which a time step is split.
-const MOST_SPLITS: u32 = 4;
 
 /// Remaining penetration, relative to the smallest body, beyond which the run ends: the bodies cannot be separated, as
 /// a ball under a closing press.

@@ -1,11 +1,9 @@
 //! What the tier `accurate` is.
 
+use crate::scene::tier_facts::LONGEST_STEP_S;
 use crate::scene::tier_facts::{ErrorOrder, FlightRecords, IntegratorChoice, StepLength, TierFacts, TierFeature};
 use crate::scene::{ContactMethod, ImpactLaw, Integrator, OverlapLimit, Promise};
 use crate::solve::cone_violation::CONE_LIMIT;
-
-/// Upper bound of a step when none is given, s.
-const LONGEST_STEP_S: f64 = 0.01;
 
 /// What it promises (`crate::scene::promise`): a hundred times the error of a step at the default tolerance. What
 /// rounding adds up to in long runs stays below that, and what is wrong is far above.

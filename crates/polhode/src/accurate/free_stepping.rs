@@ -14,6 +14,7 @@ use crate::accounting::books::Received;
 use crate::error::SimulationError;
 use crate::model::Model;
 use crate::model::states_of::states_of;
+use crate::plan::free_method::MOST_SPLITTINGS;
 use crate::scene::settings::Settings;
 use crate::snapshot::numbers::{read_states, write_states};
 use crate::snapshot::{SnapshotError, content};
@@ -29,9 +30,6 @@ use std::sync::Arc;
 
 /// Turn of a body within one polynomial, rad: the interpolation of its quaternion then errs by some 1e-14.
 const TURN_OF_POLYNOMIAL: f64 = 0.5;
-
-/// Most splittings of one step when the plan has chosen splitting: more would cost more than DOP853.
-const MOST_SPLITTINGS: u32 = 64;
 
 /// Most polynomials of one step. If a body turns too fast for them, an impact may be found late; the certificate then
 /// shows the penetration.
@@ -100,7 +98,8 @@ impl FreeStep {
         let own = Restricted { fields: model.forces.shared_fields(), all: model.shared_rigid(), slots };
         let fields: Vec<Box<dyn Field>> = if model.forces.has_fields() { vec![Box::new(own)] } else { Vec::new() };
         let integrator: Box<dyn integrator::Integrator> = if core.settings.splits_by_choice() {
-            Box::new(AdaptiveExact::new(tolerance(&core.settings)).limited_to(MOST_SPLITTINGS))
+            // A run may ask for more than its start: beyond this they would cost more than DOP853.
+            Box::new(AdaptiveExact::new(tolerance(&core.settings)).limited_to(4 * MOST_SPLITTINGS))
         } else {
             core.settings.build_integrator()
         };

@@ -18,9 +18,6 @@ use crate::solve::frictional_impact::Cause;
 use crate::solve::impact::strike_with_friction;
 use polhode_response::impact::ImpactStatus;
 
-/// Most jams of a group at one instant. Each stops the slip of a contact at least.
-const MOST_JAMS: usize = 8;
-
 impl Resolution<'_> {
     /// [`Self::candidates`], after the jams of a group.
     pub(super) fn candidates_after_jams(
@@ -28,7 +25,8 @@ impl Resolution<'_> {
         group: &Group,
     ) -> Result<(Vec<usize>, Forces, bool), SimulationError> {
         let mut found = self.candidates(group);
-        for _ in 0..MOST_JAMS {
+        // Each jam stops the slip of a contact at least.
+        for _ in &group.contacts {
             let is_unsolved = matches!(found, Err(SimulationError::ContactSolve { .. }));
             if !(is_unsolved && self.strike_jam(group)?) {
                 break;

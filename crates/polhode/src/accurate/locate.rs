@@ -41,9 +41,6 @@ const EXTRAPOLATION: f64 = 1e-5;
 /// Longest backward extrapolation, in units of the distance of the two times: beyond it the growth is not linear.
 const LONGEST_EXTRAPOLATION: f64 = 100.0;
 
-/// Most searches for an earlier violation. After them the time found so far is accepted.
-const MOST_VIOLATIONS: usize = 16;
-
 /// Intervals of a step at whose ends held contacts are checked for leaving their features, and others for penetration.
 pub(super) const PENETRATION_CHECKS: u32 = 8;
 
@@ -245,7 +242,8 @@ impl StepSearch<'_> {
     /// work.
     fn first_violation_in(&mut self, (valid, mut violated): (f64, f64)) -> Result<f64, SimulationError> {
         let mut violation = self.violation_at(violated)?;
-        for _ in 0..MOST_VIOLATIONS {
+        // Each search ends before the one of the last violation.
+        loop {
             let bracket = close_in((valid, violated), |t| {
                 let is_violated = match violation {
                     Some(violation) => self.is_violated(violation, t)?,
@@ -255,14 +253,13 @@ impl StepSearch<'_> {
             })?;
             violated = bracket.after;
             if violation.is_none() || bracket.before <= valid {
-                break;
+                return Ok(violated);
             }
             match self.violation_at(bracket.before)? {
                 Some(earlier) => (violated, violation) = (bracket.before, Some(earlier)),
-                None => break,
+                None => return Ok(violated),
             }
         }
-        Ok(violated)
     }
 
     /// A violation at a time, if there is one.

@@ -30,10 +30,6 @@ const ADVANCE_RELATIVE: f64 = 1e-4;
 /// Most steps without an advance of time: several times as many as approach an event.
 const MOST_STEPS: u64 = 256;
 
-/// [`MOST_STEPS`] for bodies that have passed a stretch of crowded events: their events are expected to crowd again,
-/// and a lower limit detects this earlier.
-const MOST_STEPS_AGAIN: u64 = 128;
-
 /// [`MOST_STEPS`] where a contact slides. A slip that stays slow, because the forces hardly exceed friction, makes the
 /// equations stiff: friction turns it at the rate `mu g / |u_T|`, which every step must follow. A slip that stops takes
 /// some ten steps.
@@ -63,9 +59,6 @@ const MEAN_SLIDING_RELATIVE: f64 = 1e-3;
 /// Most events of an island within one longest step that are located one by one: some ten times those of an ordinary
 /// pile.
 const MOST_EVENTS: u64 = 256;
-
-/// [`MOST_EVENTS`] for bodies that have passed a stretch of crowded events.
-const MOST_EVENTS_AGAIN: u64 = 32;
 
 /// Whether a time (s) is too short to be a step.
 pub(super) fn is_instant(dt: f64, longest_step_s: f64) -> bool {
@@ -153,7 +146,7 @@ impl Pace {
             (self.window_start, self.window_events) = (t, 0);
         }
         self.window_events += u64::from(ends == StepEnd::AtEvent);
-        let most = if self.has_crowded { MOST_EVENTS_AGAIN } else { MOST_EVENTS };
+        let most = if self.has_crowded { MOST_EVENTS / 8 } else { MOST_EVENTS };
         if self.window_events > most {
             return Err(NoAdvance { steps: self.window_events, advanced_s: t - self.window_start });
         }
@@ -165,7 +158,7 @@ impl Pace {
         self.steps += 1;
         let most = match (ends, self.has_crowded) {
             (StepEnd::AsPlannedSliding, _) => MOST_SLIDING_STEPS,
-            (_, true) => MOST_STEPS_AGAIN,
+            (_, true) => MOST_STEPS / 2,
             (_, false) => MOST_STEPS,
         };
         if self.steps < most { Ok(()) } else { Err(NoAdvance { steps: self.steps, advanced_s }) }

@@ -21,10 +21,8 @@ use polhode_dynamics::state::{LINEAR_VELOCITY, QUATERNION, WIDTH};
 use polhode_dynamics::{BodyState, DenseStep, Dop853, System};
 use polhode_response::ResponseError;
 use polhode_spatial::DVec3;
+use polhode_spatial::rounding;
 use std::ops::Range;
-
-/// Rounding of a number in a step, relative to it and to what it is a part of (no unit): that of a dozen stages.
-const ROUNDING_OF_COORDINATES: f64 = 16.0 * f64::EPSILON;
 
 /// A step in reduced coordinates.
 #[derive(Debug)]
@@ -125,7 +123,7 @@ impl ReducedStep {
         let end = self.method.end_state();
         let mut include = |numbers: Range<usize>, allowed: f64, scale: f64| {
             let own = end.get(numbers.clone()).unwrap_or_default();
-            let rounding = ROUNDING_OF_COORDINATES * own.iter().fold(scale, |most: f64, number| most.max(number.abs()));
+            let rounding = rounding::DOZEN_TERMS * own.iter().fold(scale, |most: f64, number| most.max(number.abs()));
             largest.include(self.method.error_of(numbers), allowed.max(rounding));
         };
         for (node, reach) in self.tree.nodes.iter().zip(reaches) {

@@ -25,7 +25,7 @@ use crate::model::{Model, prescribed, tolerances};
 use crate::scene::settings::Settings;
 use crate::tier::executor::{Executor, Task};
 use polhode_dynamics::BodyState;
-use polhode_response::sequential_impulses::MOST_JOINT_ROWS;
+use polhode_response::law::MOST_ROWS;
 use polhode_spatial::{DVec3, DisjointSets, Pose};
 use std::sync::Arc;
 
@@ -443,7 +443,7 @@ impl Course {
         if !is_whole {
             for own in &mut after {
                 let known = self.held.binary_search_by_key(&own.id, |held| held.id);
-                own.multipliers = known.map_or([0.0; MOST_JOINT_ROWS], |place| self.held[place].multipliers);
+                own.multipliers = known.map_or([0.0; MOST_ROWS], |place| self.held[place].multipliers);
             }
         }
         self.held = after;

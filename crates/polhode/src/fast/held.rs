@@ -15,8 +15,9 @@ use crate::joints::joint_contacts;
 use crate::model::Model;
 use crate::report::momentum_ledger::{Momentum, MomentumSum};
 use polhode_dynamics::BodyState;
+use polhode_response::law::MOST_ROWS;
 use polhode_response::sequential_impulses::{
-    BodyImpulse, ImpulseJoint, JointImpulses, JointLaw, JointRow, MOST_JOINT_ROWS, SequentialImpulses, SweepRule, Works,
+    BodyImpulse, ImpulseJoint, JointImpulses, JointLaw, JointRow, SequentialImpulses, SweepRule, Works,
 };
 use polhode_spatial::{DVec3, Velocity};
 
@@ -25,7 +26,7 @@ use polhode_spatial::{DVec3, Velocity};
 pub(super) struct HeldJoint {
     pub(super) id: ConstraintId,
     /// Impulses of its rows in the last substep, N s.
-    pub(super) multipliers: [f64; MOST_JOINT_ROWS],
+    pub(super) multipliers: [f64; MOST_ROWS],
     /// Mean force (N), and moment about the centre of mass (N m), on the body of this number in the last step.
     pub(super) body: usize,
     pub(super) force: DVec3,

@@ -6,6 +6,9 @@ use crate::collision::touch::Touch;
 use crate::error::SimulationError;
 use crate::identity::contact_id::ContactId;
 use crate::model::envelope::CollisionEnvelope;
+use crate::model::tolerances::MOST_COLLISIONS;
+use crate::model::tolerances::PROPAGATION_THRESHOLD;
+use crate::model::tolerances::STATED_DEPTH_RELATIVE;
 use crate::report::acceleration::Acceleration;
 use crate::report::event::EventKind;
 use crate::report::frame::{ContactView, IslandView, MotionKind};
@@ -22,17 +25,6 @@ use crate::tier::{Reached, Tier};
 use polhode_dynamics::BodyState;
 use polhode_response::impact::{ImpactSettings, ImpactStatus};
 use polhode_spatial::DVec3;
-
-/// Depth of the envelope when none is given, relative to the smallest body that moves (dimensionless, 1e-4 to 1e-2): it
-/// is not seen.
-const ENVELOPE_RELATIVE: f64 = 1e-3;
-
-/// Collisions one after the other stop when every speed of approach is below this fraction of the first one
-/// (dimensionless).
-const THRESHOLD: f64 = 1e-6;
-
-/// Most collisions of a group in a step; what approaches beyond them is stopped at once.
-const MOST_COLLISIONS: usize = 10_000;
 
 /// Impulses of a contact in the last step, over its length.
 #[derive(Debug, Clone, Copy)]
@@ -58,7 +50,7 @@ fn envelope_of(core: &Core) -> CollisionEnvelope {
     let model = &core.model;
     let sizes = model.movable.iter().map(|&body| model.bodies[body].size).filter(|size| *size > 0.0);
     let smallest = sizes.fold(f64::INFINITY, f64::min);
-    let suggested = if smallest.is_finite() { ENVELOPE_RELATIVE * smallest } else { ENVELOPE_RELATIVE };
+    let suggested = if smallest.is_finite() { STATED_DEPTH_RELATIVE * smallest } else { STATED_DEPTH_RELATIVE };
     let depth_m = model.scene.method().collision_envelope_m.unwrap_or(suggested);
     CollisionEnvelope::new(depth_m, model.gravity().length())
 }
@@ -135,7 +127,8 @@ impl MicroCollisionEngine {
 
     /// Strikes a group, and books what that did.
     fn strike_group(&mut self, core: &mut Core, group: &Group, touches: &[Touch]) -> Result<(), SimulationError> {
-        let settings = ImpactSettings { threshold: THRESHOLD, limit: MOST_COLLISIONS, ..ImpactSettings::default() };
+        let settings =
+            ImpactSettings { threshold: PROPAGATION_THRESHOLD, limit: MOST_COLLISIONS, ..ImpactSettings::default() };
         let law = core.settings.impact;
         let struck = strike(&core.model, &mut self.bodies.states, group, touches, law, &settings, &mut core.memory);
         let struck = struck.map_err(|source| SimulationError::of_response(core.t, source))?;

@@ -6,11 +6,9 @@ use crate::identity::body_id::BodyId;
 use crate::model::prescribed_state;
 use crate::report::acceleration::Acceleration;
 use crate::report::body_sample::{BodySample, ReportedBody};
+use crate::scene::MOST_NAMES;
 use polhode_dynamics::{BodyState, RigidBody};
 use polhode_spatial::{DVec3, Pose, Velocity};
-
-/// Most bodies that a warning names.
-const MOST_NAMES: usize = 4;
 
 /// A body's pose and velocity as they are reported. The velocity is that of the centre of mass; of a kinematic
 /// body, which has none, that of its own origin.

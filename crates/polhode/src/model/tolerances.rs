@@ -9,6 +9,21 @@ use polhode_spatial::Velocity;
 /// struck together (docs/NOTATION.md, "touch").
 pub(crate) const TOUCH_RELATIVE: f64 = 1e-11;
 
+/// Depth that bodies at rest have where a tier lets them in and the scene states none, relative to the smallest body
+/// that moves (no unit, 1e-4 to 1e-2): it is not seen, and large beside the rounding of positions.
+pub(crate) const STATED_DEPTH_RELATIVE: f64 = 1e-3;
+
+/// What a sum or a division of equal steps may be off by, relative to a step (no unit, 1e-12 to 1e-6): rounding must
+/// not leave a tiny step.
+pub(crate) const SAME_TIME_RELATIVE: f64 = 1e-9;
+
+/// Collisions one after the other stop when every speed of approach is below this fraction of the first ones (no unit;
+/// thesis 3.3: "an artificial threshold for the approach velocity").
+pub(crate) const PROPAGATION_THRESHOLD: f64 = 1e-6;
+
+/// Most collisions one after the other in one step; beyond them what still approaches is stopped at once.
+pub(crate) const MOST_COLLISIONS: usize = 20_000;
+
 /// Overlap that is tolerated where bodies are placed, at the start and by actions of a program, relative to the size of
 /// the smaller body. It is larger than the touch distance; at the start a projection removes it.
 pub(crate) const INITIAL_OVERLAP_RELATIVE: f64 = 1e-9;

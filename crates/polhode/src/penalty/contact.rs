@@ -39,6 +39,7 @@ use polhode_contact::ContactKinematics;
 use polhode_dynamics::BodyState;
 use polhode_response::penalty::{Growth, NormalSpring, TangentialSpring};
 use polhode_spatial::DVec3;
+use polhode_spatial::rounding;
 
 /// Numbers of a spring: its vector, and how far it has slipped.
 pub(super) const SPRING: usize = 4;
@@ -345,7 +346,7 @@ impl ContactSpring {
     fn turning_rate(&self, at: &Evaluated, direction: DVec3, limit: f64) -> DVec3 {
         let across = at.slip - direction * at.slip.dot(direction);
         // In planar motion what is across is rounding, which a short spring would blow up.
-        let is_rounding = across.length() <= ACROSS_ROUNDING * at.slip.length();
+        let is_rounding = across.length() <= rounding::DOZENS_OF_TERMS * at.slip.length();
         if is_rounding || limit <= 0.0 {
             return transport(at, direction);
         }
@@ -360,9 +361,6 @@ const SMALL_DEPTH: f64 = 1e-6;
 /// The direction of sliding turns towards the slip at most at this multiple of the frequency of the normal spring (1 to
 /// 20): a spring that is all but empty would turn at once, which no step could follow.
 const FASTEST_TURN: f64 = 4.0;
-
-/// Slip across the direction of sliding that is rounding, relative to the slip (1e-15 to 1e-12).
-const ACROSS_ROUNDING: f64 = 64.0 * f64::EPSILON;
 
 /// The part of a vector in the tangent plane.
 fn in_plane(vector: DVec3, normal: DVec3) -> DVec3 {

@@ -1,10 +1,8 @@
 //! What the tier `penalty` is.
 
+use crate::scene::tier_facts::LONGEST_STEP_S;
 use crate::scene::tier_facts::{ErrorOrder, FlightRecords, IntegratorChoice, StepLength, TierFacts, TierFeature};
 use crate::scene::{ContactMethod, ImpactLaw, Integrator, OverlapLimit, Promise, Response};
-
-/// Longest step when none is given, s.
-const LONGEST_STEP_S: f64 = 0.01;
 
 /// What it promises (`crate::scene::promise`): a blow that was not expected compresses springs by more than they are
 /// made for.

@@ -19,6 +19,7 @@ use super::system::SpringSystem;
 use crate::error::SimulationError;
 use crate::identity::contact_id::ContactId;
 use crate::model::tolerances;
+use crate::model::tolerances::SAME_TIME_RELATIVE;
 use crate::report::event::EventKind;
 use crate::scene::Integrator;
 use polhode_dynamics::state::{ANGULAR_MOMENTUM, LINEAR_VELOCITY, QUATERNION, WIDTH};
@@ -30,10 +31,6 @@ const STEPS_PER_CONTACT: f64 = 40.0;
 /// Bound of stability of a step times a frequency (no unit).
 const BOUND_OF_RK4: f64 = 2.78;
 const BOUND_OF_EULER: f64 = 2.0;
-
-/// A longest step is divided into equal steps up to this much longer than that of the scene (1e-12 to 1e-6): rounding
-/// of the division.
-const LONGER: f64 = 1e-9;
 
 /// Whether an integrator makes fixed steps.
 pub(super) fn is_fixed(integrator: Integrator) -> bool {
@@ -51,7 +48,7 @@ pub(super) fn advance(mut run: Run<'_>, t_end: f64) -> Result<GroupRun, Simulati
         let rate = run.done.springs.iter().map(|spring| stiffest_rate(&run, spring)).fold(0.0, f64::max);
         let h = length(&run, rate)?;
         let left = t_end - run.t;
-        let (h, end) = if h * (1.0 + LONGER) >= left { (left, t_end) } else { (h, run.t + h) };
+        let (h, end) = if h * (1.0 + SAME_TIME_RELATIVE) >= left { (left, t_end) } else { (h, run.t + h) };
         step(&mut run, h, end)?;
         release(&mut run);
     }

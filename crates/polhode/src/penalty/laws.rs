@@ -31,6 +31,7 @@ use super::expected::{blows, burden, load_on, reduced_mass};
 use crate::collision::contact_set;
 use crate::collision::turn::Turn;
 use crate::identity::contact_id::ContactId;
+use crate::model::tolerances::STATED_DEPTH_RELATIVE;
 use crate::model::{Model, tolerances};
 use crate::scene::spring_checks::elastic_pair;
 use crate::scene::{PenaltyMethod, SceneError, SpringLaw};
@@ -38,10 +39,6 @@ use polhode_contact::{ContactGeometry, Shape};
 use polhode_dynamics::BodyState;
 use polhode_response::penalty::{Damping, Growth, NormalSpring, Relation, SpringError, TangentialSpring};
 use polhode_spatial::DVec3;
-
-/// Penetration when the scene states none, relative to the smallest body that moves (1e-5 to 1e-2): small beside every
-/// feature of a body, and large beside the rounding of its position.
-const STATED_DEPTH_RELATIVE: f64 = 1e-3;
 
 /// Poisson's ratio of a material that gives none, for the ratio of tangential to normal stiffness of linear springs (0
 /// to 0.5: the ratio of stiffnesses goes from 1 to 2/3).

@@ -22,7 +22,7 @@ use polhode_dynamics::integrator::{AdaptiveExact, Integrator as _, Tolerance};
 
 /// Largest number of splittings of one step at the start: they cost about as much as a step of DOP853 that error
 /// control shortens.
-const MOST_SPLITTINGS: u32 = 16;
+pub(crate) const MOST_SPLITTINGS: u32 = 16;
 
 /// Number of trial steps from the start in which the splittings are counted.
 const TRIAL_STEPS: u32 = 8;

@@ -9,6 +9,7 @@ use crate::joints::{added, motors, released, turns};
 use crate::model::body_queries::BodyQueries;
 use crate::model::pivot_form::PivotRows;
 use crate::model::plane_of_motion::PlanarBodies;
+use crate::model::tolerances::SAME_TIME_RELATIVE;
 use crate::model::{Model, ModelBody};
 use crate::plan::decisions::{Findings, Plan};
 use crate::plan::free_method;
@@ -36,10 +37,6 @@ use crate::tier::{Reached, Tier};
 use polhode_contact::QueryError;
 use polhode_response::Memory;
 use std::sync::Arc;
-
-/// A step is extended to the end of the run when less than this fraction of a step would remain: the rounding of a sum
-/// of equal steps must not leave a tiny step.
-const LEFT_OVER_RELATIVE: f64 = 1e-9;
 
 /// How a step ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -225,7 +222,7 @@ impl Simulation {
     pub fn step_observed(&mut self, observer: &mut dyn Observer) -> Result<StepOutcome, SimulationError> {
         let (t, duration) = (self.core.t, self.scene.duration_s());
         let stride = self.tier.stride(&self.core);
-        let left_over = duration - t - stride <= LEFT_OVER_RELATIVE * self.core.settings.step_s;
+        let left_over = duration - t - stride <= SAME_TIME_RELATIVE * self.core.settings.step_s;
         let limit = if !self.ended && left_over { duration } else { t + stride };
         // Beyond the end of the run the stride of bodies at rest is infinite.
         let limit = if limit.is_finite() { limit } else { t + self.core.settings.step_s };

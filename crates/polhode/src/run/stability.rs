@@ -36,13 +36,9 @@ use polhode_spatial::DVec3;
 use std::f64::consts::FRAC_1_SQRT_2;
 
 /// A body belongs to a motion that begins when it moves at least this fast against the fastest one (no unit, 1e-4 to
-/// 1e-2): the tolerance of the analysis is far below.
+/// 1e-2): the tolerance of the analysis is far below. It tips when its points move by its rotation at least this fast
+/// against its centre of mass; otherwise it slides. High up in a wall that leans over a brick hardly turns as it moves.
 const MOVES_RELATIVE: f64 = 1e-3;
-
-/// A body tips when its points move by its rotation at least this fast against its centre of mass (no unit, 1e-4 to
-/// 1e-2); otherwise it slides. High up in a wall that leans over a brick hardly turns as it moves, and the tolerance of
-/// the analysis is far below.
-const TIPS_RELATIVE: f64 = 1e-3;
 
 /// A slip above this part of the speed that gravity gives in a second is none of a body at rest (no unit).
 const SLIP_RELATIVE: f64 = 1e-9;
@@ -313,7 +309,7 @@ impl Group<'_> {
             .map(|(body, linear, angular)| {
                 let turning = 0.5 * self.core.model.bodies[body].size * angular.length();
                 let beginning =
-                    if turning > TIPS_RELATIVE * linear.length() { Beginning::Tips } else { Beginning::Slides };
+                    if turning > MOVES_RELATIVE * linear.length() { Beginning::Tips } else { Beginning::Slides };
                 let speed = linear.length().max(turning);
                 let direction = linear.try_normalize().filter(|_| linear.length() > MOVES_RELATIVE * speed);
                 MovingBody { body: BodyId::new(body), beginning, speed, direction }

@@ -2,11 +2,8 @@
 
 use super::{ApproximateParts, Geometry, Material, PrescribedMotion, SceneError, Trajectory};
 use polhode_contact::Shape;
+use polhode_spatial::rounding;
 use polhode_spatial::{DVec3, MassProperties, Pose, Velocity};
-
-/// Largest difference between the velocity given to a pivoted body and the one that its angular velocity gives it,
-/// relative to the latter (dimensionless).
-const PIVOT_VELOCITY_RELATIVE: f64 = 1e-9;
 
 /// Whether and how a body moves.
 #[derive(Debug, Clone, PartialEq)]
@@ -249,7 +246,7 @@ impl Body {
         let turning = self.velocity.angular.cross(arm);
         let difference = (self.velocity.linear - turning).length();
         if self.velocity.linear != DVec3::ZERO
-            && difference > PIVOT_VELOCITY_RELATIVE * self.velocity.angular.length() * arm.length()
+            && difference > rounding::DIGITS_OF_A_FILE * self.velocity.angular.length() * arm.length()
         {
             let needed = turning.to_array();
             return Err(SceneError::PivotMoves { body: self.name.clone(), difference, needed });

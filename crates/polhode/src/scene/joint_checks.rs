@@ -6,19 +6,8 @@ use super::{
 };
 use crate::constraint::joint::{HeldBody, ModelJoint};
 use crate::constraint::row::RowKind;
+use polhode_spatial::rounding;
 use polhode_spatial::{Motion, Pose, Velocity};
-
-/// Relative velocity at a joint at the start, relative to the parts of the speeds of its bodies there, and of
-/// prescribed motions to their greatest speed in the run, of which that at the start is a part to the digits of a
-/// phase: more than a file's digits is a contradiction (no unit, 1e-12 to 1e-6).
-pub(super) const JOINT_VELOCITY_RELATIVE: f64 = 1e-9;
-
-/// Cosine of the angle of two axes below which they are at right angles (no unit, 1e-12 to 1e-6): the digits of a file.
-const RIGHT_ANGLE: f64 = 1e-9;
-
-/// How far a distance at the start may be beyond its limit, relative to itself: the digits of a file (no unit, 1e-15 to
-/// 1e-9).
-const START_AT_LIMIT: f64 = 1e-12;
 
 impl Scene {
     /// Joints between bodies, or of bodies with the world.
@@ -75,7 +64,7 @@ impl Scene {
             return Err(refused("forces move none of its bodies: one at least must be movable"));
         }
         if let JointKind::Universal { axes: [first, second] } = joint.kind()
-            && first.get().dot(second.get()).abs() > RIGHT_ANGLE
+            && first.get().dot(second.get()).abs() > rounding::DIGITS_OF_A_FILE
         {
             return Err(refused(
                 "its axes are not at right angles: two axes whose directions are perpendicular are needed",
@@ -226,10 +215,10 @@ impl Scene {
             speed += linear + angular * (joint.anchor() - motion(body).0.translation).length();
             turning += angular;
         }
-        if apart > JOINT_VELOCITY_RELATIVE * speed {
+        if apart > rounding::DIGITS_OF_A_FILE * speed {
             return Err(SceneError::JointMoves { number, apart_m_s: apart });
         }
-        if across > JOINT_VELOCITY_RELATIVE * turning {
+        if across > rounding::DIGITS_OF_A_FILE * turning {
             return Err(SceneError::JointTurns { number, across_rad_s: across });
         }
         Ok(())
@@ -260,7 +249,7 @@ fn check_limits(number: usize, joint: &Joint) -> Result<(), SceneError> {
             Coordinate::Angle | Coordinate::Displacement => 0.0,
             Coordinate::Distance => (joint.anchor() - joint.other_anchor()).length(),
         };
-        let rounding = START_AT_LIMIT * start;
+        let rounding = rounding::DIGITS_OF_A_FILE * start;
         if !(lower - rounding..=upper + rounding).contains(&start) {
             let (name, unit) = (coordinate.name(), coordinate.unit());
             return Err(SceneError::JointBeyondLimits { number, coordinate: name, unit, start, lower, upper });

@@ -7,14 +7,8 @@ use super::{Follows, Joint, JointKind, OneSide, Scene, SceneError, TrackEnds, Tr
 use crate::constraint::track_frame::LEAST_SINE;
 use polhode_spatial::DVec3;
 use polhode_spatial::curve::{Curve, CurvePlane, CurvePoint};
+use polhode_spatial::rounding;
 use std::sync::Arc;
-
-/// How far the anchor may be off the track at the start, as a part of the length of the track: the digits of a file (no
-/// unit, 1e-12 to 1e-6).
-const START_OFF_TRACK: f64 = 1e-9;
-
-/// Curvature times length of a track below which its end is straight (no unit, 1e-12 to 1e-6): rounding.
-const STRAIGHT_END: f64 = 1e-9;
 
 /// Places of a track at which its direction is compared with the one that is up.
 const PLACES_ALONG: u32 = 1000;
@@ -57,11 +51,11 @@ impl Scene {
             number,
             how,
             distance_mm: 1e3 * distance,
-            most_mm: 1e3 * START_OFF_TRACK * curve.length(),
+            most_mm: 1e3 * rounding::DIGITS_OF_A_FILE * curve.length(),
         };
         if is_beyond && ends != TrackEnds::Straight {
             let beyond = (-foot.arc).max(foot.arc - curve.length());
-            if beyond > START_OFF_TRACK * curve.length() {
+            if beyond > rounding::DIGITS_OF_A_FILE * curve.length() {
                 return Err(off("beyond an end of its track", beyond));
             }
         }
@@ -69,7 +63,7 @@ impl Scene {
             TrackHold::Both(follows) => {
                 check_frame(curve, follows, ends).map_err(refused)?;
                 let distance = way.length();
-                if distance > START_OFF_TRACK * curve.length() {
+                if distance > rounding::DIGITS_OF_A_FILE * curve.length() {
                     return Err(off("off its track", distance));
                 }
                 Ok(joint.at(foot.point))
@@ -83,7 +77,7 @@ impl Scene {
                     )
                 })?;
                 let (beside, height) = (across.normal.dot(way), across.up.dot(way));
-                let most = START_OFF_TRACK * curve.length();
+                let most = rounding::DIGITS_OF_A_FILE * curve.length();
                 if beside.abs() > most {
                     return Err(off("beside the plane of its track", beside.abs()));
                 }
@@ -132,8 +126,11 @@ fn check_frame(curve: &Curve, follows: Follows, ends: TrackEnds) -> Result<(), &
         }
         (Follows::Tangent | Follows::Frame { up: None }, _) => None,
     };
-    let bends_at_ends =
-        || [0.0, curve.length()].iter().any(|&arc| curve.at(arc).curvature.length() * curve.length() > STRAIGHT_END);
+    let bends_at_ends = || {
+        [0.0, curve.length()]
+            .iter()
+            .any(|&arc| curve.at(arc).curvature.length() * curve.length() > rounding::DIGITS_OF_A_FILE)
+    };
     let goes_on_straight = ends == TrackEnds::Straight && !curve.is_closed();
     if curve.curvature_jump().is_some() || (goes_on_straight && bends_at_ends()) {
         return Err(

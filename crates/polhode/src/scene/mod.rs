@@ -66,6 +66,7 @@ mod track;
 pub use body::{Body, BodyMass};
 pub use builder::SceneBuilder;
 pub use coordinate_motion::CoordinateMotion;
+pub(crate) use error::MOST_NAMES;
 pub use error::{OverlapAtStart, SceneError};
 pub(crate) use force::MovingFrames;
 pub use force::{Attachment, Force};

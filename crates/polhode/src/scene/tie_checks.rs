@@ -1,9 +1,9 @@
 //! Checks of the gears of a scene and of the prescribed motions of its joints: that their joints have such coordinates,
 //! and that the velocities at the start agree with them.
 
-use super::joint_checks::JOINT_VELOCITY_RELATIVE;
 use super::{Coordinate, CoordinateMotion, Gear, GearEnd, Scene, SceneError};
 use polhode_spatial::Motion;
+use polhode_spatial::rounding;
 
 /// The rate of a coordinate at the start, with the sum of the speeds that it is a difference of, rad/s or m/s.
 struct StartRate {
@@ -58,7 +58,7 @@ impl Scene {
         let (Some(first), Some(second)) = (rate(first), rate(second)) else { return Ok(()) };
         let needed = gear.ratio() * second.rate;
         let speeds = first.speeds + gear.ratio().abs() * second.speeds;
-        if (first.rate - needed).abs() > JOINT_VELOCITY_RELATIVE * speeds {
+        if (first.rate - needed).abs() > rounding::DIGITS_OF_A_FILE * speeds {
             return Err(SceneError::GearRate { number, found: first.rate, needed });
         }
         Ok(())
@@ -91,7 +91,7 @@ impl Scene {
         let trajectory = motion.along_x().from_pose(&pose);
         let (needed, greatest) = (trajectory.velocity(0.0).linear.x, trajectory.bounds(0.0, self.duration_s).speed);
         let Some(StartRate { rate: found, speeds }) = self.rate_at_start(*end, coordinate) else { return Ok(()) };
-        if (found - needed).abs() > JOINT_VELOCITY_RELATIVE * (speeds + greatest) {
+        if (found - needed).abs() > rounding::DIGITS_OF_A_FILE * (speeds + greatest) {
             return Err(SceneError::CoordinateRate { joint, found, needed });
         }
         Ok(())

@@ -5,6 +5,9 @@
 
 use crate::scene::{ContactMethod, ImpactLaw, Integrator, Promise, Response};
 
+/// Upper bound of a step under error control when none is given, s.
+pub(crate) const LONGEST_STEP_S: f64 = 0.01;
+
 /// What a tier is. [`Tier::facts`](crate::scene::Tier::facts) gives those of a tier.
 ///
 /// ```

@@ -34,7 +34,7 @@ use crate::tier::core::Core;
 use crate::tier::error_estimate::{EVERY, ErrorEstimate};
 use crate::tier::sampling::emit_samples_before;
 use crate::tier::{Reached, Tier};
-use crate::time_stepping::{NO_WORK_J, TimeStepper, given_by_gravity};
+use crate::time_stepping::{MOST_TIMES, NO_WORK_J, TimeStepper, given_by_gravity};
 use polhode_dynamics::{BodyState, Flight};
 use polhode_response::ResponseError;
 use polhode_spatial::DVec3;
@@ -49,9 +49,6 @@ const MOST_IMPACTS_OF_STEP: u32 = 32;
 /// When accelerations are asked for, a contact counts as resting if its rate of separation is at most the speed that
 /// gravity gives a body in this many steps.
 const RESTING_STEPS: f64 = 2.0;
-
-/// How often a step is made again for pairs that were not expected to meet (1 to 4): each time may deflect others.
-const MOST_SEARCHES: u32 = 3;
 
 /// The mean force of a contact over a step, on body A.
 #[derive(Debug, Clone, Copy, Default)]
@@ -279,7 +276,7 @@ impl SteppedEngine {
         interval: (f64, f64),
     ) -> Result<Advanced, SimulationError> {
         let begin = self.states.clone();
-        let mut times = MOST_SEARCHES;
+        let mut times = MOST_TIMES;
         loop {
             let (resting, islands) = self.divide(core, &pairs)?;
             let of = (&mut self.stepper, &mut self.states[..]);

@@ -9,6 +9,8 @@ use crate::collision::contact_view;
 use crate::collision::touch::Touch;
 use crate::error::SimulationError;
 use crate::identity::contact_id::ContactId;
+use crate::model::tolerances::MOST_COLLISIONS;
+use crate::model::tolerances::PROPAGATION_THRESHOLD;
 use crate::model::{prescribed, reported};
 use crate::report::acceleration::Acceleration;
 use crate::report::event::EventKind;
@@ -40,13 +42,6 @@ use polhode_spatial::DVec3;
 /// A contact counts as resting if its rate of separation is at most the speed that gravity gives a body in this many
 /// steps (thesis 3.5: "a speed of separation that is sufficiently small").
 const SEPARATING_STEPS: f64 = 1.0;
-
-/// Propagation of impulses stops when every speed of approach is below this fraction of the initial ones (thesis 3.3:
-/// "an artificial threshold for the approach velocity").
-const PROPAGATION_THRESHOLD: f64 = 1e-6;
-
-/// Largest number of impulses by propagation in one step; beyond it the remaining contacts are resolved at once.
-const PROPAGATION_LIMIT: usize = 20_000;
 
 /// Reach of contacts that count as touching, m: none but rounding.
 const TOUCH: f64 = 0.0;
@@ -203,7 +198,7 @@ impl ThesisEngine {
                 return Ok(None);
             }
             let solver = SolverSettings::default();
-            let settings = ImpactSettings { threshold: PROPAGATION_THRESHOLD, limit: PROPAGATION_LIMIT, solver };
+            let settings = ImpactSettings { threshold: PROPAGATION_THRESHOLD, limit: MOST_COLLISIONS, solver };
             let law = core.settings.impact;
             strike(model, states, group, touches, law, &settings, &mut core.memory).map(|struck| struck.outcome)
         };

@@ -12,6 +12,7 @@ use super::step::{Substep, TimeStepper};
 use crate::accounting::time_step_report::{ContactImpulse, ImpulseKind, TimeStepReport};
 use crate::collision::touch::Touch;
 use crate::identity::contact_id::ContactId;
+use crate::model::tolerances::MOST_COLLISIONS;
 use crate::model::{Model, tolerances};
 use crate::rows::groups::{Group, groups};
 use crate::solve::cone_violation::ConeViolation;
@@ -27,9 +28,6 @@ use std::collections::BTreeMap;
 /// Most rounds of impacts in one step: one for each body of a chain with gaps, or for each bounce of a body between two
 /// others. Contacts that still close afterwards are stopped without restitution.
 const MOST_ROUNDS: usize = 128;
-
-/// Most rounds of one impact law, before it stops approaching contacts without restitution.
-const MOST_IMPULSES: usize = 20_000;
 
 impl TimeStepper {
     /// Resolves the impacts within a substep, and updates velocities and contacts.
@@ -105,7 +103,7 @@ fn settings_for(group: &Group, near: &[NearContact]) -> ImpactSettings {
     };
     let approach = largest(|contact| -contact.kinematics.separation_rate);
     let resting = largest(|contact| contact.resting_speed.max(contact.unseen_speed));
-    let usual = ImpactSettings { limit: MOST_IMPULSES, ..ImpactSettings::default() };
+    let usual = ImpactSettings { limit: MOST_COLLISIONS, ..ImpactSettings::default() };
     if resting < approach {
         ImpactSettings { threshold: usual.threshold.max(resting / approach), ..usual }
     } else {

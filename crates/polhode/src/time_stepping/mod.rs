@@ -64,8 +64,8 @@ mod step_rows;
 mod sustained;
 mod sustained_friction;
 
-pub(crate) use repeated::SHARE_OF_SIZE;
-pub(crate) use step::{TimeStepper, given_by_gravity};
+pub(crate) use repeated::{MOST_TIMES, SHARE_OF_SIZE};
+pub(crate) use step::{MOST_SPLITS, TimeStepper, given_by_gravity};
 
 use crate::model::Model;
 use polhode_dynamics::{BodyState, Flight};

@@ -30,8 +30,9 @@ use std::collections::BTreeMap;
 /// (no unit, 1e-5 to 5e-4): half of what the tier promises (1e-3).
 pub(crate) const SHARE_OF_SIZE: f64 = 5e-4;
 
-/// How often a step is made again (2 to 8).
-const MOST_TIMES: usize = 4;
+/// How often a step is made again (2 to 8), for bodies that overlap at its end or for pairs that were not expected to
+/// meet: each time may deflect others.
+pub(crate) const MOST_TIMES: usize = 4;
 
 /// The parts of a step after which features that meet are looked for, where those at its end cannot be: bodies have
 /// then passed them.

@@ -35,9 +35,9 @@ const ROUNDS_OF_SWEEPS: usize = 5;
 /// Where no impact is resolved at the start of a step for being there (s): no contact closes before its start.
 const NO_INSTANT: f64 = -1.0;
 
-/// Most slips at whose ends a step is split, besides its impacts: those of further ones end with the last part of the
-/// step.
-const MOST_STOPS: u32 = 4;
+/// Most slips at whose ends a step is split, besides its impacts, and most impacts of a crowd: further ones end with
+/// the last part of the step.
+pub(crate) const MOST_SPLITS: u32 = 4;
 
 /// Bodies are at rest if their speeds at the start and end of a step are below this fraction of the sum of velocity
 /// changes by gravity and by each impulse of the step: some thousand rounding units.
@@ -216,7 +216,7 @@ impl TimeStepper {
     ) -> Result<TimeStepReport, ResponseError> {
         let mut report = TimeStepReport::new(self.about);
         let (mut done, instant) = (0.0, SAME_INSTANT * h);
-        let (mut splits_left, mut stops) = (self.splits, MOST_STOPS);
+        let (mut splits_left, mut stops) = (self.splits, MOST_SPLITS);
         while done < h {
             let left = h - done;
             let span = Span { h: left, unseen_bounce: self.unseen_bounce };

@@ -14,12 +14,14 @@
 //! argument of the cap.
 
 use crate::clearance::PARALLEL_SINE;
+use crate::clearance::SIEVE_SLACK;
 use crate::narrow_phase::axis::axes::{Axes, EdgeAxis, FaceAxis};
 use crate::narrow_phase::axis::axis_search::{AxisSearch, EdgeBuffers, lowest, plane_of_b, range};
 use crate::shape::polyhedron::{ConvexPolyhedron, Edge};
 use crate::shape::support::farthest;
 use glam::DVec3;
 use polhode_spatial::Pose;
+use polhode_spatial::rounding;
 
 /// Rounding of the separation along an edge axis, in units of epsilon times the lever arm over the sine of the angle
 /// between the edges, from the uncertainty of the direction of their cross product.
@@ -28,12 +30,6 @@ pub(crate) const AXIS_ULPS: f64 = 8.0;
 /// Edges are nearly parallel up to this sine of their angle: the rounding of the separation along their common
 /// perpendicular is then not small compared with the tolerated penetration.
 const NEARLY_PARALLEL_SINE: f64 = 0.03;
-
-/// Sine of the angle between edges up to which their cross product is rounding error.
-const ROUNDING_SINE: f64 = 16.0 * f64::EPSILON;
-
-/// Bound of the relative rounding of the square of a sum of products.
-pub(crate) const SQUARE_SLACK: f64 = 1e-9;
 
 impl AxisSearch {
     /// Selects the edges whose arcs may contain a direction with a separation of at least the limit of their body
@@ -159,7 +155,7 @@ impl AxisSearch {
         let rounding_at = |sine: f64| AXIS_ULPS * f64::EPSILON * between.length() * (1.0 / sine - 1.0);
         if cross.length_squared() <= NEARLY_PARALLEL_SINE * NEARLY_PARALLEL_SINE {
             let sine = cross.length();
-            if sine <= ROUNDING_SINE {
+            if sine <= rounding::DOZEN_TERMS {
                 return None;
             }
             let separation = between.dot(self.perpendicular(a, [i, j]));
@@ -169,7 +165,7 @@ impl AxisSearch {
         // The separation is `lever` over the sine. Most pairs are far from the threshold, which a comparison of squares
         // shows.
         let lever = if upward { between.dot(cross) } else { -between.dot(cross) };
-        if lever <= 0.0 && lever * lever >= threshold * threshold * cross.length_squared() * (1.0 + SQUARE_SLACK) {
+        if lever <= 0.0 && lever * lever >= threshold * threshold * cross.length_squared() * (1.0 + SIEVE_SLACK) {
             return None;
         }
         let sine = cross.length();

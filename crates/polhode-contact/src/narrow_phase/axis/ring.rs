@@ -14,6 +14,7 @@
 //! golden-section search locates each. This is not needed when a plane perpendicular to the deciding normal separates
 //! the centre circle from the body.
 
+use crate::clearance::ONE_PLACE;
 use crate::clearance::place_tolerance_of_sizes;
 use crate::narrow_phase::axis::body::Body;
 use crate::narrow_phase::axis::gap::{self, Gap};
@@ -43,10 +44,6 @@ const GOLDEN: f64 = 0.618_033_988_749_894_9;
 /// A common normal and a sampled minimum are the same when they are nearer than this many times the distance to the
 /// next sample.
 const NEAR_SAMPLES: f64 = 1.5;
-
-/// Angle, rad, within which two points are always the same minimum: samples locate it only to the square root of
-/// rounding.
-const LOCATED: f64 = 1e-6;
 
 /// Largest difference between the separation at a common normal and the distance of the nearest element there, relative
 /// to the ring's radius; the place tolerance if that is larger.
@@ -339,7 +336,7 @@ impl<'a> Ring<'a> {
     /// known within a limit (m).
     fn kink_near(&self, rim: &Element<'_>, (angle, step): (f64, f64), limit: f64) -> Option<Gap> {
         let sampled = self.place(angle);
-        let close = (NEAR_SAMPLES * step).max(LOCATED) * self.circle.radius;
+        let close = (NEAR_SAMPLES * step).max(ONE_PLACE) * self.circle.radius;
         let is_common_normal = |feature: SurfaceFeature| {
             let mut found = false;
             let element = Element::of(self.other, feature, &Pose::IDENTITY);

@@ -13,6 +13,8 @@
 use crate::SurfaceFeature;
 use crate::shape::circle::Circle;
 use glam::DVec3;
+use polhode_spatial::rounding;
+use smallvec::SmallVec;
 use std::f64::consts::{PI, TAU};
 
 /// Number of initial samples: arcs must be shorter than half the circle for two cosines to bound the distance.
@@ -22,14 +24,8 @@ const FIRST: usize = 16;
 /// ends.
 const FINE: u32 = 48;
 
-/// Most nested divisions; deeper ones would reach the rounding of angles.
-const DEEPEST: usize = 64;
-
 /// Most divisions in all: a ring around a hundred corners needs about 350.
 const MOST: u32 = 4096;
-
-/// Shorter arcs are not divided, rad: a minimum is located only to the square root of rounding.
-const SHORTEST: f64 = 1e-8;
 
 /// An arc is divided no nearer to its ends than this fraction of its length.
 const LEAST_PART: f64 = 0.03125;
@@ -75,7 +71,7 @@ pub(crate) fn each_minimum(
         let width = to.angle - from.angle;
         let unseen = bound < from.distance.min(to.distance) - wanted.tolerance && bound < least.max(wanted.reach);
         let of_one_element = from.feature == to.feature && width <= TAU / f64::from(FINE);
-        if !unseen || of_one_element || width <= SHORTEST || divisions >= MOST {
+        if !unseen || of_one_element || width <= rounding::HALF_OF_THE_DIGITS || divisions >= MOST {
             return None;
         }
         divisions += 1;
@@ -106,19 +102,16 @@ fn walk(
     let is_lowest = |[before, at, after]: [&Sample; 3]| at.distance <= before.distance && at.distance < after.distance;
     let width = |[before, at, after]: [&Sample; 3]| (at.angle - before.angle).max(after.angle - at.angle);
     let turned = |sample: &Sample, by: f64| Sample { angle: sample.angle + by, ..*sample };
-    let mut ends = [first; DEEPEST];
+    let mut ends: SmallVec<[Sample; 64]> = SmallVec::new();
     let (mut before, mut from, mut second) = (None, first, None);
     for next in samples.iter().skip(1).copied().chain([turned(&first, TAU)]) {
-        ends[0] = next;
-        let mut count = 1;
-        while count > 0 {
-            let to = ends[count - 1];
-            if let Some(new) = divide(&from, &to).filter(|_| count < DEEPEST) {
-                ends[count] = new;
-                count += 1;
+        ends.push(next);
+        while let Some(&to) = ends.last() {
+            if let Some(new) = divide(&from, &to) {
+                ends.push(new);
                 continue;
             }
-            count -= 1;
+            ends.pop();
             least = least.min(to.distance);
             if second.is_none() {
                 second = Some(to);

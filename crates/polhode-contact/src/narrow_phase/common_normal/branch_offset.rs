@@ -26,6 +26,7 @@
 //! that distinguishes them ([`is_distinguished`]), and its [`margin`] is zero where its own or the other place crosses
 //! the border.
 
+use crate::clearance::ONE_PLACE;
 use crate::narrow_phase::common_normal::place::Place;
 use crate::narrow_phase::feature::branch::Branch;
 use crate::narrow_phase::feature::element::{Element, Locus};
@@ -36,9 +37,6 @@ const NEUTRAL: f64 = 1e-7;
 
 /// A place without a branch name gets one when its offset exceeds this many times [`NEUTRAL`].
 const LEFT_NEUTRAL: f64 = 2.0;
-
-/// Two places of a circle nearer to each other than this fraction of the radius are one.
-const ONE_PLACE: f64 = 1e-6;
 
 /// The offset of a place, and the radius of the circle that is named.
 #[derive(Debug, Clone, Copy)]

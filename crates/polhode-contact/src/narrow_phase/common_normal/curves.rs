@@ -20,6 +20,7 @@ use crate::narrow_phase::common_normal::place::{Place, Places};
 use crate::shape::circle::Circle;
 use crate::shape::support::across;
 use glam::DVec3;
+use polhode_spatial::unit_vector::SAME_DIRECTION;
 use std::f64::consts::PI;
 
 /// Parts into which each half of the circle is divided to find the minima of its distance from a line.
@@ -37,16 +38,12 @@ const ANGLE_CONVERGED: f64 = 1e-14;
 /// Largest change of an angle in one step, rad.
 const LONGEST_TURN: f64 = 0.3;
 
-/// Sine of the angle between a line and a circle's axis below which they are parallel: seen along the line the ellipse
-/// is then a circle to rounding, and any axis of it the long one.
-const PARALLEL_PART: f64 = 1e-9;
-
 /// A line (point and direction) as A and a circle as B.
 pub(crate) fn line_circle((point, along): (DVec3, DVec3), circle: &Circle) -> Places {
     let Circle { center, axis, radius } = *circle;
     let long = axis.cross(along);
     let sine = long.length();
-    let long = if sine > PARALLEL_PART { long / sine } else { axis.any_orthonormal_vector() };
+    let long = if sine > SAME_DIRECTION { long / sine } else { axis.any_orthonormal_vector() };
     let short = axis.cross(long);
     // Components along the line are projected out.
     let [line, long_seen, short_seen] = [point - center, long, short].map(|v| across(v, along));

@@ -22,6 +22,7 @@
 //! When an interval is narrower than [`NARROWEST`], or more than [`MOST_INTERVALS`] are undecided at once (heights that
 //! are constant to rounding), only the slopes at the ends of the interval are used.
 
+use super::place::Places;
 use glam::DVec3;
 use std::f64::consts::TAU;
 
@@ -53,12 +54,6 @@ const MOST_INTERVALS: usize = 48;
 
 /// Width, as a fraction of a turn, below which an interval is not halved: within it the height is constant to rounding.
 const NARROWEST: f64 = 1e-9;
-
-/// Most angles that are reported: twice as many as exist, because rounding may split one into several.
-const MOST: usize = 8;
-
-/// Most steps of the root finder: more than bisection needs to reach rounding.
-const MOST_STEPS: usize = 64;
 
 /// A height as in the module's formula.
 #[derive(Debug, Clone, Copy)]
@@ -173,7 +168,7 @@ impl Height {
     pub(crate) fn each_least(&self, mut visit: impl FnMut(f64)) {
         let mut found = 0;
         let mut report = |interval: Interval| {
-            if let Some(angle) = self.within(interval).filter(|_| found < MOST) {
+            if let Some(angle) = self.within(interval).filter(|_| found < Places::MOST) {
                 found += 1;
                 visit(angle);
             }
@@ -216,17 +211,18 @@ impl Height {
 }
 
 /// Root of a function that is positive at `left` and not at `right`: regula falsi with the Illinois rule (the value at
-/// an end that stays twice is halved); every third step is a bisection.
+/// an end that stays twice is halved); every third step is a bisection, so that it ends when no double is left between
+/// the two.
 pub(crate) fn falling_root(left: f64, right: f64, f: impl Fn(f64) -> f64) -> f64 {
     let (mut left, mut right) = (left, right);
     let (mut value_left, mut value_right) = (f(left), f(right));
     let mut last = 0.0;
-    for step in 0..MOST_STEPS {
+    for step in 0_usize.. {
         let width = right - left;
         let secant = left + width * (value_left / (value_left - value_right));
         let middle = 0.5 * (left + right);
         let at = if step % 3 == 2 || !(secant > left && secant < right) { middle } else { secant };
-        if at <= left || at >= right {
+        if !(at > left && at < right) {
             break;
         }
         let value = f(at);

@@ -37,7 +37,7 @@ pub(crate) struct Places {
 
 impl Places {
     /// As many as `minima.rs` reports; other pairs of elements have at most two.
-    const MOST: usize = 8;
+    pub(super) const MOST: usize = 8;
 
     pub(crate) const fn none() -> Self {
         let empty = Place { normal: DVec3::ZERO, on_a: DVec3::ZERO, on_b: DVec3::ZERO };

@@ -15,16 +15,12 @@ use crate::narrow_phase::terms::open_face::{Moving, OpenFace, open_faces};
 use crate::shape::HalfSpace;
 use crate::{ContactFeature, Manifold, Shape, Side};
 use glam::DVec3;
+use polhode_spatial::unit_vector::SAME_DIRECTION;
 
 /// How far beyond the border of a face a contact of its plane may lie, relative to the joint size (no unit, 1e-5 to
 /// 1e-3): a ball whose lowest point is 1e-11 of its diameter (a usual touch distance) below the plane meets the border
 /// at 6e-6 of its radius beside that point.
 const BEYOND: f64 = 1e-4;
-
-/// A contact of two polyhedra whose normal is parallel to that of the open face by this sine touches the face, and
-/// stays (no unit, 1e-11 to 1e-7): what it takes from the motion along the face is the square of it. The normals of
-/// round bodies turn as they pass.
-const ALIGNED: f64 = 1e-9;
 
 /// Two bodies, asked for the contacts that take the place of others while they pass each other along an open face.
 ///
@@ -68,7 +64,7 @@ impl<'a> Passing<'a> {
         let (_, open) = self.last.insert(last.unwrap_or_else(|| (parts, open_faces(a_part, b_part, touch))));
         let is_of_face = |face: &OpenFace| {
             let outward = face.of_pose(a, b).rotation.rotate(face.normal);
-            outward.cross(normal).length() <= ALIGNED
+            outward.cross(normal).length() <= SAME_DIRECTION
         };
         let is_of_polyhedra = matches!(feature, ContactFeature::VertexFace { .. } | ContactFeature::EdgeEdge { .. });
         if open.is_empty() || is_of_polyhedra && open.iter().any(is_of_face) {

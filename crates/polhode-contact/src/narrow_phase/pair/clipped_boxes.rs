@@ -259,11 +259,8 @@ struct Clipped {
     line: Line,
 }
 
-/// Most corners: four, and one more for each side that clips.
-const MOST_CORNERS: usize = 8;
-
-/// A face while it is clipped.
-type Polygon = SmallVec<[Clipped; MOST_CORNERS]>;
+/// A face while it is clipped: four corners, and one more for each side that clips.
+type Polygon = SmallVec<[Clipped; 8]>;
 
 /// The contacts of the face that decides with the facing one of the other box.
 fn clip(polyhedra: [&ConvexPolyhedron; 2], boxes: &[Placed; 2], best: &Best, reach: f64, found: &mut Manifold) {

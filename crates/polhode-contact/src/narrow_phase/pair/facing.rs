@@ -3,10 +3,10 @@
 use crate::narrow_phase::axis::axes::{Axes, EdgeAxis};
 use crate::narrow_phase::axis::axis_search::AxisSearch;
 use crate::narrow_phase::feature::alike::ALIKE;
-use crate::narrow_phase::region::upward::SAME_DIRECTION;
 use crate::shape::polyhedron::ConvexPolyhedron;
 use glam::DVec3;
 use polhode_spatial::Pose;
+use polhode_spatial::unit_vector::SAME_DIRECTION;
 
 /// Unit normals of two faces in the world, from B to A.
 pub(super) fn normals_of(

@@ -18,6 +18,7 @@
 //! Limits: gaps and steps between parts that are shorter than the probe (`surface_probe.rs`) count as closed.
 
 use crate::bounding::aabb::Aabb;
+use crate::clearance::FLUSH_COSINE;
 use crate::narrow_phase::feature::alike::ALIKE_SINE;
 use crate::narrow_phase::feature::face_border::{PlaceOnFace, face_margin, place_on_face};
 use crate::narrow_phase::parts::same_places::SAME_PLACE_OF_PARTS;
@@ -27,16 +28,10 @@ use crate::shape::polyhedron::ConvexPolyhedron;
 use crate::{ContactFeature, ContactGeometry, Shape, Side, SurfaceFeature};
 use glam::DVec3;
 use polhode_spatial::Pose;
+use polhode_spatial::unit_vector::SAME_DIRECTION;
 
 /// Number of directions that are probed around a place.
 const PROBES: u32 = 16;
-
-/// A direction lies in a plane when its cosine with the normal is at most this: far above rounding, far below the angle
-/// between any two faces that are not coplanar.
-const IN_PLANE: f64 = 1e-9;
-
-/// Two edges are parallel when the cosine of their angle is above this.
-const ALONG: f64 = 1.0 - 1e-12;
 
 /// A contact of one part of each body.
 #[derive(Debug, Clone, Copy)]
@@ -114,13 +109,15 @@ pub(crate) fn on_whole(
                         .faces_at
                         .of(vertex as usize)
                         .iter()
-                        .find(|&&f| own.faces[f as usize].normal.dot(v) > 1.0 - IN_PLANE);
+                        .find(|&&f| own.faces[f as usize].normal.dot(v) > 1.0 - SAME_DIRECTION);
                     let Some(&face) = face else { return Some(candidate) };
                     candidate.feature = ContactFeature::VertexFace { vertex_of: side.other(), vertex: other, face };
                     candidate.replaced = true;
                     Some(candidate)
                 }
-                PlaceOnFace::OnEdge(along) if !inner => (along.dot(local(straight)).abs() < ALONG).then_some(candidate),
+                PlaceOnFace::OnEdge(along) if !inner => {
+                    (along.dot(local(straight)).abs() < FLUSH_COSINE).then_some(candidate)
+                }
                 PlaceOnFace::Inside | PlaceOnFace::OnEdge(_) | PlaceOnFace::AtVertex(_) => None,
                 PlaceOnFace::Unknown => Some(candidate),
             }
@@ -190,7 +187,7 @@ impl PlaceOnPart<'_> {
     fn is_above(&self, other: &ConvexPolyhedron, x: DVec3) -> bool {
         other.faces.iter().all(|face| {
             let height = face.normal.dot(x) - face.offset;
-            height <= self.tolerance && (height < -self.tolerance || face.normal.dot(self.v) < -IN_PLANE)
+            height <= self.tolerance && (height < -self.tolerance || face.normal.dot(self.v) < -SAME_DIRECTION)
         })
     }
 
@@ -216,7 +213,7 @@ impl PlaceOnPart<'_> {
     /// Whether one of these faces has the contact normal and is free beside the place. The face of the whole body ends
     /// where another part rises above it, and its points up to there can touch.
     fn ends_a_face(&self, own: &ConvexPolyhedron, faces: &[u32]) -> bool {
-        let along = |&&face: &&u32| own.faces[face as usize].normal.dot(self.v) > 1.0 - IN_PLANE;
+        let along = |&&face: &&u32| own.faces[face as usize].normal.dot(self.v) > 1.0 - SAME_DIRECTION;
         faces.iter().filter(along).any(|&face| self.is_exposed(own, face))
     }
 
@@ -237,7 +234,7 @@ impl PlaceOnPart<'_> {
             let edge = &own.edges[edge as usize];
             if edge.vertices[0] == vertex { edge.direction } else { -edge.direction }
         });
-        directions.filter(|d| d.dot(self.v).abs() <= IN_PLANE).find(|d| self.is_filled(self.x - *d * self.probe))
+        directions.filter(|d| d.dot(self.v).abs() <= SAME_DIRECTION).find(|d| self.is_filled(self.x - *d * self.probe))
     }
 
     /// Whether the parts cover the contact plane all around the place.

@@ -13,7 +13,6 @@ use crate::narrow_phase::pair::pair_manifold::pair_manifold;
 use crate::narrow_phase::pair::pair_separation::pair_separation;
 use crate::narrow_phase::parts::ridge_ends::TouchingPair;
 use crate::narrow_phase::parts::same_places::SAME_PLACE_OF_PARTS;
-use crate::narrow_phase::parts::surface_probe::SLOPE;
 use crate::narrow_phase::parts::triangle_axes::{Decision, Triangle, TriangleAxes};
 use crate::narrow_phase::region::face_pair;
 use crate::narrow_phase::region::pair_buffers::PairBuffers;
@@ -28,6 +27,7 @@ use crate::shape::triangle::{TriangleFeature, from_triangle};
 use crate::{Contact, ContactFeature, Manifold, Shape, Side, SurfaceFeature};
 use glam::DVec3;
 use polhode_spatial::Pose;
+use polhode_spatial::unit_vector::SAME_DIRECTION;
 
 /// A triangle gives contacts when the penetration along its own axes is at most this many times that of the whole pair.
 pub(crate) const DEEPER: f64 = 1.5;
@@ -253,8 +253,8 @@ impl OnTriangle<'_> {
                 }
             }
             ContactFeature::EdgeEdge { edge_a, .. } => {
-                let stands =
-                    !mesh.edges[edge_a as usize].flat && mesh.supports_at_edge(edge_a, outward, tolerance, SLOPE);
+                let stands = !mesh.edges[edge_a as usize].flat
+                    && mesh.supports_at_edge(edge_a, outward, tolerance, SAME_DIRECTION);
                 stands.then_some(MeshContact { contact, order: 0, on_convex_edge: false })
             }
             _ => {
@@ -420,7 +420,7 @@ pub(crate) fn of_curved(
         let at = on_triangle.feature_at(place);
         let edges = &mesh.edges_of[triangle.index as usize];
         let flat_edge = matches!(at, TriangleFeature::Edge(k) if mesh.edges[edges[k] as usize].flat);
-        let supported = on_triangle.supports(at, -local.geometry.normal, SLOPE);
+        let supported = on_triangle.supports(at, -local.geometry.normal, SAME_DIRECTION);
         // A face keeps its normal up to its border, even where the next face rises: in a valley both faces have
         // contacts.
         if is_on_face(local.feature) || (supported && !flat_edge) {

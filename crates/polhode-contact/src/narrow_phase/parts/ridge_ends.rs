@@ -19,7 +19,7 @@
 
 use crate::bounding::aabb::Aabb;
 use crate::narrow_phase::feature::edge_line::EdgeLine;
-use crate::narrow_phase::parts::surface_probe::{LEAST_PROBE, SLOPE, probe_length};
+use crate::narrow_phase::parts::surface_probe::{LEAST_PROBE, probe_length};
 use crate::narrow_phase::terms::crossed_edges::CrossedEdges;
 use crate::shape::polyhedron::ConvexPolyhedron;
 use crate::shape::triangle::from_triangle;
@@ -27,6 +27,7 @@ use crate::shape::{Compound, TriangleMesh};
 use crate::{Contact, ContactFeature, ContactGeometry, Shape};
 use glam::DVec3;
 use polhode_spatial::Pose;
+use polhode_spatial::unit_vector::SAME_DIRECTION;
 
 /// Buffers of [`crossings`].
 #[derive(Debug, Clone, Default)]
@@ -218,12 +219,13 @@ impl<'a> LocalSurface<'a> {
     /// both sides of the edge.
     fn lies_below(&self, x: DVec3, edge: &EdgeHere, v: DVec3, near: &mut Vec<u32>) -> bool {
         if let Surface::Mesh(mesh) = self.surface {
-            return mesh.supports_at_edge(edge.number, v, self.slack, SLOPE);
+            return mesh.supports_at_edge(edge.number, v, self.slack, SAME_DIRECTION);
         }
         self.collect_near(x, near);
         let level = v.dot(x) + self.slack;
         let containing = || self.polyhedra(near).map(|(p, _)| p).filter(|p| p.outside(x) <= self.slack);
-        let below = |p: &ConvexPolyhedron| p.vertices.iter().all(|w| w.dot(v) <= level + SLOPE * w.distance(x));
+        let below =
+            |p: &ConvexPolyhedron| p.vertices.iter().all(|w| w.dot(v) <= level + SAME_DIRECTION * w.distance(x));
         if !containing().all(below) {
             return false;
         }

@@ -7,16 +7,13 @@
 
 use crate::narrow_phase::region::upward::is_upward;
 use crate::{Contact, ContactFeature, Side, SurfaceFeature};
+use polhode_spatial::unit_vector::SAME_DIRECTION;
 use std::cmp::Ordering;
 
 /// Contacts of different parts, and a contact and a feature of a part, are at the same place when they are nearer than
 /// this many place tolerances. Each of the two may deviate from the exact place by some tolerances: this limit is wider
 /// than that within one pair of parts (`region/same_place.rs`).
 pub(crate) const SAME_PLACE_OF_PARTS: f64 = 8.0;
-
-/// Normals that differ by less than this (length of the difference) are equal, as those of two coplanar faces of a
-/// decomposition.
-const SAME_NORMAL: f64 = 1e-9;
 
 /// Buffers of [`SamePlaces::keep_one_each`].
 #[derive(Debug, Clone, Default)]
@@ -45,7 +42,7 @@ impl SamePlaces {
                 if second.geometry.point.x - first.geometry.point.x > tolerance {
                     break;
                 }
-                let alike = (first.geometry.normal - second.geometry.normal).length() <= SAME_NORMAL;
+                let alike = (first.geometry.normal - second.geometry.normal).length() <= SAME_DIRECTION;
                 if alike
                     && !dropped[i]
                     && !dropped[j]

@@ -9,10 +9,6 @@ const PROBE: f64 = 1e-6;
 /// The shortest probe, in tolerances.
 pub(super) const LEAST_PROBE: f64 = 32.0;
 
-/// Slope by which a surface may rise above the contact plane beside an edge. It covers the rounding of the normal of
-/// two crossed edges, which grows as the edges become parallel ([`crate::clearance::PARALLEL_SINE`]).
-pub(super) const SLOPE: f64 = 1e-9;
-
 /// Length of a probe on a part or an edge of this size, m.
 pub(super) fn probe_length(size: f64, tolerance: f64) -> f64 {
     (PROBE * size).max(LEAST_PROBE * tolerance)

@@ -9,9 +9,10 @@
 //! whole surface allows at the feature of the triangle ([`TriangleMesh::supports_at_edge`]).
 
 use crate::clearance::PARALLEL_SINE;
+use crate::clearance::SIEVE_SLACK;
 use crate::narrow_phase::axis::axes::AXIS_SLACK;
 use crate::narrow_phase::axis::axis_search::{AxisSearch, range};
-use crate::narrow_phase::axis::edge_axes::{AXIS_ULPS, SQUARE_SLACK};
+use crate::narrow_phase::axis::edge_axes::AXIS_ULPS;
 use crate::shape::TriangleMesh;
 use crate::shape::polyhedron::ConvexPolyhedron;
 use crate::shape::triangle::TriangleFeature;
@@ -235,6 +236,6 @@ fn search_edges(
 /// computed then.
 fn is_clearly_below(lever: f64, cross: DVec3, between: DVec3, wanted: f64) -> bool {
     let wanted = wanted.min(0.0);
-    let square = wanted * wanted * (1.0 + SQUARE_SLACK) + AXIS_SLACK * AXIS_SLACK * between.length_squared();
+    let square = wanted * wanted * (1.0 + SIEVE_SLACK) + AXIS_SLACK * AXIS_SLACK * between.length_squared();
     lever < 0.0 && lever * lever > square * cross.length_squared()
 }

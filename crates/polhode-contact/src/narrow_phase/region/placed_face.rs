@@ -4,15 +4,13 @@
 //! the inscribed circle is inside all sides; a line outside the circumscribed circle crosses no edge. Only corners and
 //! edges near the border of the other face are compared with its sides one by one.
 
+use crate::clearance::SIEVE_SLACK;
 use crate::shape::polyhedron::Face;
 use glam::DVec3;
 
 /// A corner is deep inside the other face when it is inside every side by this many tolerances. Then the edge between
 /// two such corners crosses nothing, and no vertex of the other face coincides with the corner.
 pub(super) const DEEP_PLACES: f64 = 16.0;
-
-/// Bound of the rounding of a distance from the middle of a face, relative to the lengths it is computed from.
-const CIRCLE_SLACK: f64 = 1e-9;
 
 /// A face of each body in A's frame, with the classification of their corners.
 #[derive(Debug, Clone, Default)]
@@ -68,12 +66,12 @@ impl PlacedFace {
             let between = *corner - middle;
             let above = normal.dot(between);
             let square = between.length_squared();
-            inner > 0.0 && square - above * above < inner * inner - CIRCLE_SLACK * (square + inner * inner)
+            inner > 0.0 && square - above * above < inner * inner - SIEVE_SLACK * (square + inner * inner)
         };
         self.deep.extend(self.corners.iter().map(far_inside));
         for i in 0..corners {
             let between_deep = self.deep[i] && self.deep[following(i, corners)];
-            let beyond = self.outside(middle, i).abs() > outer * (1.0 + CIRCLE_SLACK);
+            let beyond = self.outside(middle, i).abs() > outer * (1.0 + SIEVE_SLACK);
             self.crossable.push(!(between_deep || beyond));
         }
     }

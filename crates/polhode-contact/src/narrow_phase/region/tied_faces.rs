@@ -14,6 +14,7 @@
 
 use crate::ContactFeature;
 use crate::Side;
+use crate::clearance::FLUSH_COSINE;
 use crate::narrow_phase::feature::face_border::face_margin;
 use crate::narrow_phase::region::face_pair;
 use crate::narrow_phase::region::pair_buffers::PairBuffers;
@@ -24,9 +25,6 @@ use polhode_spatial::Pose;
 /// Faces whose separations differ by less than this many tolerances separate equally well: each of the two features may
 /// be some tolerances off.
 const TIED: f64 = 8.0;
-
-/// Cosine of the angle with a face's normal beyond which another face lies on it.
-const FLUSH: f64 = 1.0 - 1e-12;
 
 /// A face and the polyhedron over it, in the frame of the face.
 struct FaceBelow<'a> {
@@ -89,7 +87,7 @@ impl FaceBelow<'_> {
     /// The other polyhedron's face that lies on this one.
     fn flush_face(&self) -> Option<u32> {
         let normal = self.pose.rotation.inverse_rotate(self.face.normal);
-        self.other.faces.iter().position(|face| -face.normal.dot(normal) >= FLUSH).map(|face| face as u32)
+        self.other.faces.iter().position(|face| -face.normal.dot(normal) >= FLUSH_COSINE).map(|face| face as u32)
     }
 
     /// The lowest vertices over the face, and the crossings of edges between two of them.

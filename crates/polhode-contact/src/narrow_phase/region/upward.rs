@@ -1,9 +1,7 @@
 //! Which direction is up: the last rule for a choice between two bodies that are otherwise alike.
 
 use glam::DVec3;
-
-/// Components of unit vectors that differ by less than this count as equal when one of several equal axes is chosen.
-pub(crate) const SAME_DIRECTION: f64 = 1e-9;
+use polhode_spatial::unit_vector::SAME_DIRECTION;
 
 /// Whether the first component that is not zero, in the order z, y, x, is positive.
 pub(crate) fn is_upward(direction: DVec3) -> bool {

@@ -39,12 +39,10 @@ use crate::narrow_phase::terms::tangential::ContactMotion;
 use crate::{ContactGeometry, ContactKinematics, Side};
 use glam::DVec3;
 use polhode_spatial::Velocity;
+use polhode_spatial::rounding;
 
 /// Most unknowns of the linear system: two components of the normal's rate and up to two parameters.
 const MOST: usize = 4;
-
-/// A pivot smaller than this fraction of the largest entry counts as zero: the contact is degenerate.
-const SMALLEST_PIVOT: f64 = 1e-13;
 
 /// A parameter of the point on one body's locus.
 #[derive(Debug, Clone, Copy)]
@@ -341,7 +339,7 @@ fn solve(mut matrix: [[f64; MOST]; MOST], mut right: [f64; MOST], size: usize) -
         if pivot.is_nan() {
             return None;
         }
-        if pivot.abs() <= SMALLEST_PIVOT * largest {
+        if pivot.abs() <= rounding::HUNDREDS_OF_TERMS * largest {
             if column < NORMAL_UNKNOWNS {
                 return None;
             }

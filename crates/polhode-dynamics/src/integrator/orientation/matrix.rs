@@ -9,13 +9,7 @@ use super::{Frame, Representation};
 use crate::integrator::IntegrationError;
 use glam::{DMat3, DVec3};
 use polhode_spatial::Rotation;
-
-/// Change of a matrix's entries that ends the iteration (dimensionless): its square, the error left, is below
-/// round-off. Between 1e-12 and 1e-8.
-const CONVERGED: f64 = 1e-9;
-
-/// Iterations at most: from entries of 1e6 the first twenty halve them, the rest converge.
-const MAX_ITERATIONS: usize = 30;
+use polhode_spatial::rounding;
 
 impl Frame for DMat3 {
     #[inline]
@@ -32,7 +26,9 @@ impl Frame for DMat3 {
 /// The nearest rotation; NaN or some matrix for one that is singular.
 fn orthogonalized(matrix: DMat3) -> DMat3 {
     let mut r = matrix;
-    for _ in 0..MAX_ITERATIONS {
+    let mut last = f64::INFINITY;
+    // Each change is at most half the one before: from entries of 1e6 the first twenty are, the rest converge.
+    loop {
         // The columns of the inverse's transpose are the cross products of the columns, divided by the determinant.
         let (a, b, c) = (r.x_axis, r.y_axis, r.z_axis);
         let b_c = b.cross(c);
@@ -40,12 +36,15 @@ fn orthogonalized(matrix: DMat3) -> DMat3 {
         let next = (r + DMat3::from_cols(b_c * scale, c.cross(a) * scale, a.cross(b) * scale)) * 0.5;
         let change = next - r;
         r = next;
-        let largest = |v: DVec3| v.abs().max_element();
-        if largest(change.x_axis).max(largest(change.y_axis)).max(largest(change.z_axis)) <= CONVERGED {
-            break;
+        let [x, y, z] = [change.x_axis, change.y_axis, change.z_axis].map(DVec3::length_squared);
+        let change = (x + y + z).sqrt();
+        // Written so that NaN ends it.
+        let is_smaller = change < last;
+        if change <= rounding::HALF_OF_THE_DIGITS || !is_smaller {
+            return r;
         }
+        last = change;
     }
-    r
 }
 
 fn rate(matrix: &DMat3, w: DVec3) -> DMat3 {

@@ -9,9 +9,7 @@
 
 use super::coulomb::{Coulomb, ZeroSlip};
 use super::plane;
-
-/// Below this fraction of its terms a pivot is zero (no unit): the matrix is singular, entries carry some roundings.
-const SINGULAR_PIVOT: f64 = 1e-13;
+use polhode_spatial::rounding;
 
 /// Whittaker's impulse; none when the slip before jams.
 pub(super) fn whittaker(coulomb: &Coulomb, before: [f64; 3], restitution: f64) -> Option<[f64; 3]> {
@@ -21,7 +19,7 @@ pub(super) fn whittaker(coulomb: &Coulomb, before: [f64; 3], restitution: f64) -
     // No slip: p_t = -K_tt^-1 (u_t + k p_n) in the normal row.
     let (stop, ratio) = (matrix.solve_tangential(slip), matrix.solve_tangential(matrix.coupling));
     let pivot = matrix.normal - plane::dot(matrix.coupling, ratio);
-    if pivot > SINGULAR_PIVOT * matrix.normal {
+    if pivot > rounding::HUNDREDS_OF_TERMS * matrix.normal {
         let normal = (wanted + plane::dot(matrix.coupling, stop)) / pivot;
         let tangential = plane::scaled(plane::sum(stop, plane::scaled(ratio, normal)), -1.0);
         if normal >= 0.0 && plane::length(tangential) <= coulomb.friction * normal {
@@ -38,7 +36,7 @@ pub(super) fn whittaker(coulomb: &Coulomb, before: [f64; 3], restitution: f64) -
 /// The impulse against a slip in one direction that changes the normal velocity by `wanted`.
 fn along(coulomb: &Coulomb, direction: plane::Tangent, wanted: f64) -> Option<[f64; 3]> {
     let rate = coulomb.normal_rate(direction);
-    if rate <= SINGULAR_PIVOT * coulomb.matrix.normal {
+    if rate <= rounding::HUNDREDS_OF_TERMS * coulomb.matrix.normal {
         return None;
     }
     let normal = wanted / rate;
@@ -55,7 +53,7 @@ pub(super) fn chatterjee_ruina(coulomb: &Coulomb, before: [f64; 3], [e, e_t]: [f
     let slip = plane::sum([before[1], before[2]], plane::scaled(k, stop_normal));
     let below = |i: usize, j: usize| k[i] * (k[j] / matrix.normal);
     let rest = [t11 - below(0, 0), t12 - below(0, 1), t22 - below(1, 1)];
-    let tangential = plane::scaled(plane::solve(rest, slip, SINGULAR_PIVOT), -1.0);
+    let tangential = plane::scaled(plane::solve(rest, slip, rounding::HUNDREDS_OF_TERMS), -1.0);
     let normal = -plane::dot(k, tangential) / matrix.normal;
     let straight = (1.0 + e) * stop_normal;
     let (size, full) = (plane::length(tangential), 1.0 + e_t);

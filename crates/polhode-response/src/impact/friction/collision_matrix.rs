@@ -11,12 +11,8 @@
 use super::plane::{self, Symmetric, Tangent};
 use crate::delassus::Delassus;
 use crate::error::{ResponseError, check_finite};
-
-/// Largest relative asymmetry and negative pivot that count as rounding (no unit).
-const MATRIX_ROUNDING: f64 = 1e-12;
-
-/// Below this fraction of the trace a tangential pivot is zero (no unit): entries are sums of some ten rounded terms.
-const RANK_CUT: f64 = 1e-13;
+use crate::tolerances::MATRIX_ROUNDING;
+use polhode_spatial::rounding;
 
 /// The collision matrix of one contact, 1/kg.
 ///
@@ -110,7 +106,7 @@ impl CollisionMatrix {
 
     /// `K_tt^-1 a`, the least solution where the tangential part is singular.
     pub(super) fn solve_tangential(&self, a: Tangent) -> Tangent {
-        plane::solve(self.tangential, a, RANK_CUT)
+        plane::solve(self.tangential, a, rounding::HUNDREDS_OF_TERMS)
     }
 
     /// The matrix over a power of two near its largest diagonal entry, and that power: divisions by it are exact.

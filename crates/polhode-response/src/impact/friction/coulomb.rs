@@ -18,13 +18,7 @@
 use super::collision_matrix::CollisionMatrix;
 use super::plane::{self, Tangent};
 use super::root::rising_zero;
-
-/// A rate of turning below this fraction of its terms is rounding (no unit): a few rounding units.
-const TURNING_ROUNDING: f64 = 8.0 * f64::EPSILON;
-
-/// Below this fraction of `K_nn` the rate of `u_n` of a contact that sticks is zero (no unit): the matrix is singular,
-/// and an impulse within the cone moves nothing.
-const STICKING_ROUNDING: f64 = 1e-13;
+use polhode_spatial::rounding;
 
 /// Coulomb's law with its coefficient at a contact.
 #[derive(Debug, Clone, Copy)]
@@ -55,7 +49,7 @@ impl Coulomb {
         let turning = plane::dot(plane::quarter_turn(d), self.tangential_pull(d));
         // What the entries of the matrix are rounded by is of the size of the largest one.
         let terms = self.slip_rate_terms() + self.matrix.normal;
-        if turning.abs() <= TURNING_ROUNDING * terms { 0.0 } else { turning }
+        if turning.abs() <= rounding::FEW_TERMS * terms { 0.0 } else { turning }
     }
 
     /// What a unit of normal impulse and its friction do to the slip: `k - mu K_tt d`.
@@ -74,7 +68,7 @@ impl Coulomb {
         let stick = plane::scaled(self.matrix.solve_tangential(self.matrix.coupling), -1.0);
         if plane::length(stick) <= self.friction {
             let rate = self.matrix.normal + plane::dot(self.matrix.coupling, stick);
-            let normal_rate = if rate <= STICKING_ROUNDING * self.matrix.normal { 0.0 } else { rate };
+            let normal_rate = if rate <= rounding::HUNDREDS_OF_TERMS * self.matrix.normal { 0.0 } else { rate };
             return ZeroSlip::Sticks { ratio: stick, normal_rate };
         }
         ZeroSlip::Slips(self.direction_away())

@@ -15,12 +15,10 @@ use super::collision_matrix::CollisionMatrix;
 use super::coulomb::{Coulomb, ZeroSlip};
 use super::plane::{self, Tangent};
 use super::spring_contact::SpringContact;
+use crate::tolerances::LEAST_CHANGE;
 
 /// Most sweeps over the contacts (100 to 10 000).
 const HELD_SWEEPS: usize = 2_000;
-
-/// A change below this part of the largest force is none (no unit): rounding.
-const NO_CHANGE: f64 = 1e-15;
 
 /// The friction of contacts that have no slip, kept from one solve to the next.
 #[derive(Debug)]
@@ -74,7 +72,7 @@ impl HeldSlip {
                 self.ratios[i] = ratio;
                 self.sticks[i] = sticks;
             }
-            if alone || change <= NO_CHANGE * largest {
+            if alone || change <= LEAST_CHANGE * largest {
                 break;
             }
         }

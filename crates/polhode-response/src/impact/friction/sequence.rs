@@ -19,6 +19,7 @@ use super::simultaneous::strike_together;
 use super::single::SingleFrictionalImpact;
 use crate::dense::kernels::largest;
 use crate::error::ResponseError;
+use polhode_spatial::rounding;
 
 /// What may be left of the last approaches of a sequence, as a part of its threshold (no unit).
 const ENOUGH: f64 = 0.1;
@@ -29,10 +30,6 @@ const LARGEST_RESIDUAL: f64 = 0.01;
 /// The part of its inverse mass along the normal that joints must leave a contact for its collision matrix to be formed
 /// (no unit, 1e-8 to 1e-4): that has an error of some rounding units of the whole inverse mass.
 const LEAST_FREEDOM: f64 = 1e-6;
-
-/// An approach below this part of the largest velocity is rounding where joints leave a contact no freedom (no unit,
-/// 1e-14 to 1e-10): some hundred rounding units.
-const APPROACH_ROUNDING: f64 = 1e-12;
 
 /// What an impulse at one contact does.
 #[derive(Debug, Clone)]
@@ -97,7 +94,7 @@ fn strike_with_joints(part: &mut Part, struck: &mut Struck, block: usize) -> Res
     struck.applications += 1;
     if !strike_together(&mut alone, &mut outcome)? {
         let normal = part.normal_row(block);
-        if -struck.velocities[normal] <= APPROACH_ROUNDING * largest(part.contacts.constant()) {
+        if -struck.velocities[normal] <= rounding::HUNDREDS_OF_TERMS * largest(part.contacts.constant()) {
             struck.velocities[normal] = 0.0;
         } else {
             part.not_solved();

@@ -28,6 +28,7 @@ use crate::dense::kernels::compensated_dot;
 use crate::error::ResponseError;
 use crate::friction::FallbackPolicy;
 use crate::friction::{ContactStatus, FrictionSolution};
+use polhode_spatial::rounding;
 
 /// Rounds of reflections after which bodies count as squeezed, where no rounds need ever end.
 const ROUNDS: usize = 64;
@@ -38,9 +39,6 @@ const LAMBDA_WIDTH: f64 = 1e-12;
 
 /// Steps in a row that do not halve the interval of `lambda` after which one does.
 const SLOW_STEPS: usize = 3;
-
-/// An excess that is zero to the residual of the cone problems (no unit).
-const EXCESS_ROUNDING: f64 = 1e-13;
 
 /// Impulses are shortened for the rounding of the energy to this at most (no unit): the residual of the cone problems
 /// is far below, and a real gain is a defect that must show.
@@ -193,7 +191,7 @@ fn largest(
         slow = if interpolated.is_some() { slow } else { 0 };
         let lambda = interpolated.unwrap_or(0.5 * (low.0 + high.0));
         let tried = attempt(lambda, &best.answer.impulses)?;
-        if tried.excess.abs() <= EXCESS_ROUNDING {
+        if tried.excess.abs() <= rounding::HUNDREDS_OF_TERMS {
             return Ok(tried);
         }
         if tried.excess < 0.0 {

@@ -11,10 +11,7 @@ use super::plane;
 use super::restitution::{Measure, Restitution};
 use crate::dense::kernels::compensated_dot;
 use crate::error::{ResponseError, check_finite};
-
-/// A rise of energy above this fraction of `sum |p_i| (|u_i-| + |u_i+|) / 2` is real (no unit): some hundred rounding
-/// units.
-const SINGLE_ENERGY_ROUNDING: f64 = 1e-13;
+use polhode_spatial::rounding;
 
 /// An impact with friction at one contact.
 ///
@@ -150,7 +147,7 @@ fn booked(coulomb: &Coulomb, before: [f64; 3], impulse: [f64; 3]) -> FrictionalI
     for (k, velocity) in after.iter_mut().enumerate() {
         let terms: f64 = entries[k].iter().zip(&impulse).map(|(entry, p)| (entry * p).abs()).sum();
         // Rounding of zero becomes zero.
-        if velocity.abs() <= VELOCITY_ROUNDING * (before[k].abs() + terms) {
+        if velocity.abs() <= rounding::FEW_TERMS * (before[k].abs() + terms) {
             *velocity = 0.0;
         }
     }
@@ -164,9 +161,6 @@ fn booked(coulomb: &Coulomb, before: [f64; 3], impulse: [f64; 3]) -> FrictionalI
         ..FrictionalImpact::default()
     }
 }
-
-/// A velocity below this fraction of its terms is rounding of zero (no unit): some rounding units.
-const VELOCITY_ROUNDING: f64 = 8.0 * f64::EPSILON;
 
 /// Units that the outcome is computed in, powers of two: m/s, N s.
 #[derive(Debug, Clone, Copy)]
@@ -196,7 +190,7 @@ impl Scale {
             normal_work: outcome.normal_work * work,
             friction_work: outcome.friction_work * work,
             energy_change: change * work,
-            energy_rises: change > SINGLE_ENERGY_ROUNDING * size,
+            energy_rises: change > rounding::HUNDREDS_OF_TERMS * size,
             status: outcome.status,
         }
     }

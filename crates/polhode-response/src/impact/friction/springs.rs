@@ -20,7 +20,7 @@
 //! rounding. It ends
 //!
 //! - when all contacts are open and none approaches;
-//! - when what they store, and may still take, is below [`SPENT_ENERGY`];
+//! - when what they store, and may still take, is below the energy of an approach that is over ([`SPENT`]);
 //! - when loaded contacts neither move nor are moved: bodies at rest between others, whose springs hold each other.
 //!
 //! How it fails: bodies between others that keep all energy are compressed without end, and a body that is far lighter
@@ -31,6 +31,7 @@
 use super::held_slip::HeldSlip;
 use super::plane::{self, Tangent};
 use super::spring_contact::SpringContact;
+use crate::tolerances::LEAST_CHANGE;
 
 /// The exponent of the springs of the contacts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -77,11 +78,9 @@ impl PulseExponent {
 /// Error of a step, in units of the indentation that the approach reaches (no unit, 1e-13 to 1e-9).
 const STEP_ERROR: f64 = 1e-12;
 
-/// An approach below this part of the first one is over (no unit): above the error of the steps.
-const SPENT_APPROACH: f64 = 1e-10;
-
-/// The energy of such an approach, in units of the first one's: what is stored below it moves nothing faster.
-const SPENT_ENERGY: f64 = SPENT_APPROACH * SPENT_APPROACH;
+/// An approach below this part of the first one is over, and a slip has stopped (no unit): above the error of the
+/// steps. In space the direction of a slip turns ever faster towards its end.
+const SPENT: f64 = 1e-10;
 
 /// The same at a contact without restitution (no unit, 1e-6 to 1e-3): it would go on in ever smaller compressions,
 /// which a stop without restitution has as their limit.
@@ -89,10 +88,6 @@ const END_WITHOUT_REBOUND: f64 = 1e-4;
 
 /// Restitution below this gives nothing back (no unit): the springs that open would be `1/e^2` times as stiff.
 const NO_REBOUND: f64 = 2e-2;
-
-/// A slip below this part of the first approach has stopped (no unit): in space its direction turns ever faster towards
-/// its end.
-const ENDED_SLIP: f64 = 1e-10;
 
 /// A contact that starts to slip has the direction that its loads ask for, not that of its slip, up to this part of the
 /// first approach (no unit, 1e-7 to 1e-5): before, the two differ by the rounding of a slip that is hardly there.
@@ -115,9 +110,6 @@ const STEPS_FOR_COMPRESSION: usize = 300;
 
 /// Most rounds of the search for the end of a piece: bisection alone would take 50.
 const SEARCH_ROUNDS: usize = 100;
-
-/// Width of the bracket at which the search ends, in parts of the step (no unit): rounding.
-const SEARCH_WIDTH: f64 = 1e-15;
 
 /// Coefficients of the stages of Dormand and Prince, and the difference of the two answers.
 const STAGES: [&[f64]; 6] = [
@@ -391,7 +383,7 @@ impl<'a> Walk<'a> {
                 Slip::Free => f64::INFINITY,
                 Slip::Held => STARTED_SLIP - plane::length(slip),
                 Slip::Slips(first) if contact.tangents == 1 => plane::dot(slip, first),
-                Slip::Slips(first) => plane::dot(slip, first).min(plane::length(slip) - ENDED_SLIP),
+                Slip::Slips(first) => plane::dot(slip, first).min(plane::length(slip) - SPENT),
             })
         };
         contacts.map(within).fold(f64::INFINITY, f64::min)
@@ -403,7 +395,7 @@ impl<'a> Walk<'a> {
         let (mut low, mut high) = ((0.0, self.inside(&start).max(0.0)), (length, self.inside(&beyond)));
         let mut taken = beyond;
         for round in 0..SEARCH_ROUNDS {
-            if high.0 - low.0 <= SEARCH_WIDTH * length {
+            if high.0 - low.0 <= LEAST_CHANGE * length {
                 break;
             }
             let secant = low.0 - low.1 * (high.0 - low.0) / (high.1 - low.1);
@@ -449,8 +441,8 @@ impl<'a> Walk<'a> {
             let speed = plane::length(slip);
             mode.slip = match mode.slip {
                 Slip::Slips(first) if contact.tangents == 1 && plane::dot(slip, first) <= 0.0 => Slip::Held,
-                Slip::Slips(_) if contact.tangents > 1 && speed <= ENDED_SLIP => Slip::Held,
-                Slip::Held if speed < STARTED_SLIP && !(speed > 2.0 * ENDED_SLIP && self.held.sticks(i)) => Slip::Held,
+                Slip::Slips(_) if contact.tangents > 1 && speed <= SPENT => Slip::Held,
+                Slip::Held if speed < STARTED_SLIP && !(speed > 2.0 * SPENT && self.held.sticks(i)) => Slip::Held,
                 Slip::Free => Slip::Free,
                 Slip::Slips(_) | Slip::Held => plane::direction(slip).map_or(Slip::Held, Slip::Slips),
             };
@@ -469,12 +461,12 @@ impl<'a> Walk<'a> {
             given_back * springs.exponent.energy(self.state[i])
                 + springs.of_approach(contact, self.velocities[contact.row])
         });
-        if at_stake.sum::<f64>() <= SPENT_ENERGY {
+        if at_stake.sum::<f64>() <= SPENT * SPENT {
             return true;
         }
         let speeds = springs.contacts.iter().zip(&self.modes).filter(|(_, mode)| loaded(mode));
         let fastest = speeds.map(|(contact, _)| self.velocities[contact.row].abs()).fold(0.0, f64::max);
-        fastest <= SPENT_APPROACH && self.forces_hold_each_other()
+        fastest <= SPENT && self.forces_hold_each_other()
     }
 
     /// Whether the forces of the springs move no loaded contact.
@@ -487,8 +479,7 @@ impl<'a> Walk<'a> {
         let own = |contact: &SpringContact| springs.matrix[contact.row * (rows + 1)] * rates[count + contact.row];
         let largest = springs.contacts.iter().map(own).fold(0.0, f64::max);
         let loaded = springs.contacts.iter().zip(&self.modes).filter(|(_, mode)| mode.load != Load::Apart);
-        largest > 0.0
-            && loaded.map(|(contact, _)| changes[contact.row].abs()).fold(0.0, f64::max) <= SPENT_APPROACH * largest
+        largest > 0.0 && loaded.map(|(contact, _)| changes[contact.row].abs()).fold(0.0, f64::max) <= SPENT * largest
     }
 }
 
@@ -498,11 +489,11 @@ fn slip_of(contact: &SpringContact, velocities: &[f64]) -> Slip {
         return Slip::Free;
     }
     let slip = contact.slip(velocities);
-    let slips = plane::length(slip) > ENDED_SLIP;
+    let slips = plane::length(slip) > SPENT;
     if slips { plane::direction(slip).map_or(Slip::Held, Slip::Slips) } else { Slip::Held }
 }
 
 /// An approach of a contact that is over, in units of the first one.
 fn spent(contact: &SpringContact) -> f64 {
-    if contact.restitution > 0.0 { SPENT_APPROACH } else { END_WITHOUT_REBOUND }
+    if contact.restitution > 0.0 { SPENT } else { END_WITHOUT_REBOUND }
 }

@@ -13,6 +13,7 @@ use super::coulomb::Coulomb;
 use super::plane::{self, Tangent};
 use super::restitution::{Happening, Stage};
 use super::root::rising_zero;
+use polhode_spatial::rounding;
 
 /// Order of the series.
 const ORDER: usize = 24;
@@ -22,10 +23,6 @@ const SHARE_OF_RADIUS: f64 = 0.2;
 /// Longest step, in units in which the rates of slip are of size 1: for rates that cancel to nothing, whose last
 /// coefficients underflow.
 const LONGEST: f64 = 64.0;
-
-/// Below this fraction of its terms the rate of the normal velocity is zero (no unit): a piece that began where the
-/// rate changes sign is not cut there again.
-const ZERO_RATE: f64 = 1e-13;
 
 /// Coefficients of a power series.
 type Series = [f64; ORDER + 1];
@@ -127,7 +124,7 @@ impl Turning {
     pub(super) fn first(&self, stage: Stage) -> (f64, Happening) {
         let mut end = self.step;
         // Between zeros of du_n/dp_n the normal velocity rises or falls throughout: at most one end is in such a piece.
-        let rounding = ZERO_RATE * self.normal_rate_terms;
+        let rounding = rounding::HUNDREDS_OF_TERMS * self.normal_rate_terms;
         if self.normal_rate[0] > rounding && value(&self.normal_rate, end) < -rounding {
             end = first_zero(&negative(&self.normal_rate), 0.0, end);
         }

@@ -19,10 +19,6 @@ use crate::error::ResponseError;
 /// beside the residual of the cone problem.
 const PRESSED: f64 = 1e-7;
 
-/// Impulses that change velocities by less than this fraction of the largest velocity (no unit) are those of finite
-/// forces: a thousand times what pressed the contacts together.
-const FINITE: f64 = 1e3 * PRESSED;
-
 /// Strikes the contacts of a part that the accelerations of its rows press together, where no finite forces resist
 /// them. One contact alone is struck by the law of `single`; by none where it stands for several.
 pub(super) fn strike_without_collision(
@@ -65,7 +61,8 @@ pub(super) fn strike_without_collision(
     };
     let first = part.solve(&all, &constant(part, 1.0), None)?;
     let change = part.after(&vec![0.0; touching.len()], &first.impulses);
-    if first.is_solved && largest(&change) <= FINITE * speed {
+    // Finite forces have impulses of the size of what pressed the contacts together.
+    if first.is_solved && largest(&change) <= 1e3 * PRESSED * speed {
         return Ok(());
     }
     let second = part.solve(&all, &constant(part, 2.0), Some(&first.impulses))?;

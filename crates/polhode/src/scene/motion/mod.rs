@@ -44,6 +44,8 @@ mod turning;
 pub use error::{LARGEST, LARGEST_TURN, MotionError};
 pub use excursion::Excursion;
 pub use interpolation::Interpolation;
+use polhode_spatial::rotation::NORM_TOLERANCE;
+use polhode_spatial::rounding;
 pub(crate) use table::Departure;
 pub use table::{MotionTable, SampledOrientations};
 
@@ -52,14 +54,6 @@ use polhode_spatial::{DVec3, Motion, MotionBounds, Pose, Rotation, Velocity};
 use sine::Sine;
 use std::sync::Arc;
 use table::SampledCurve;
-
-/// Largest difference between a given initial pose and that of a table at t = 0: in rad for the orientation, relative
-/// to the largest coordinate for the position. It allows for digits that a file has lost.
-const START_TOLERANCE: f64 = 1e-6;
-
-/// Factor that covers the rounding in the evaluation of a bound: a few operations, each with a relative error of
-/// 1.1e-16.
-const SPEED_ROUNDING: f64 = 1.0 + 16.0 * f64::EPSILON;
 
 /// A prescribed motion, relative to the initial pose of a kinematic body.
 #[derive(Debug, Clone, PartialEq)]
@@ -172,12 +166,12 @@ impl PrescribedMotion {
         let start = self.initial_pose(given);
         let difference = (start.translation - given.translation).length();
         let size = start.translation.abs().max(given.translation.abs()).max_element();
-        if difference > START_TOLERANCE * size || difference.is_nan() {
+        if difference > NORM_TOLERANCE * size || difference.is_nan() {
             let needed = start.translation.to_array().to_vec();
             return Err(MotionError::Start { quantity: "position", difference, unit: "m", needed });
         }
         let difference = start.rotation.angle_to(given.rotation);
-        if difference > START_TOLERANCE || difference.is_nan() {
+        if difference > NORM_TOLERANCE || difference.is_nan() {
             let needed = start.rotation.to_wxyz().to_vec();
             return Err(MotionError::Start { quantity: "orientation", difference, unit: "rad", needed });
         }
@@ -251,8 +245,8 @@ impl Motion for Trajectory {
     fn bounds(&self, t0: f64, t1: f64) -> MotionBounds {
         match &self.motion.0 {
             Kind::Constant(velocity, _) => MotionBounds {
-                speed: velocity.linear.length() * SPEED_ROUNDING,
-                angular_speed: velocity.angular.length() * SPEED_ROUNDING,
+                speed: velocity.linear.length() * (1.0 + rounding::DOZEN_TERMS),
+                angular_speed: velocity.angular.length() * (1.0 + rounding::DOZEN_TERMS),
                 ..MotionBounds::default()
             },
             Kind::Sine(sine) => sine.bounds(t0, t1),

@@ -5,12 +5,9 @@
 
 use super::displacement::Displacement;
 use super::error::{MotionError, number, vector, within_reach};
+use polhode_spatial::rounding;
 use polhode_spatial::{DVec3, MotionBounds, Rotation};
 use std::f64::consts::TAU;
-
-/// Rounding error of the argument of the sine, and of the evaluation of a bound, relative to the argument: a few
-/// operations, each with a relative error of 1.1e-16.
-const SINE_ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 /// An oscillation.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -65,13 +62,13 @@ impl Sine {
 
     pub(super) fn bounds(&self, t0: f64, t1: f64) -> MotionBounds {
         let (from, to) = (self.argument(t0), self.argument(t1));
-        let radius = 0.5 * (to - from).abs() + SINE_ROUNDING * (1.0 + from.abs() + to.abs());
+        let radius = 0.5 * (to - from).abs() + rounding::DOZEN_TERMS * (1.0 + from.abs() + to.abs());
         let middle = 0.5 * (from + to);
         let (sine, cosine) = (libm::sin(middle).abs(), libm::cos(middle).abs());
         // |cos(m + d)| <= |cos m| + |sin m| |d|, and likewise for the sine; written so that NaN gives the peak.
         let at_most = |value: f64| if value < 1.0 { value } else { 1.0 };
-        let fast = at_most(cosine + sine * radius) * (1.0 + SINE_ROUNDING) + SINE_ROUNDING;
-        let sharp = at_most(sine + cosine * radius) * (1.0 + SINE_ROUNDING) + SINE_ROUNDING;
+        let fast = at_most(cosine + sine * radius) * (1.0 + rounding::DOZEN_TERMS) + rounding::DOZEN_TERMS;
+        let sharp = at_most(sine + cosine * radius) * (1.0 + rounding::DOZEN_TERMS) + rounding::DOZEN_TERMS;
         let peak = self.peak();
         MotionBounds {
             speed: peak.speed * fast,

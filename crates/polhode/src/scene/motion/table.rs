@@ -42,6 +42,7 @@ use super::monotone;
 use super::polynomial::{Jet, Quintic, knot_rates};
 use super::turning;
 use crate::report::acceleration::Acceleration;
+use polhode_spatial::rounding;
 use polhode_spatial::{DVec3, MotionBounds, Pose, Rotation, Velocity};
 
 /// The orientations of a table.
@@ -134,10 +135,6 @@ pub(super) struct SampledCurve {
     path: Option<Path>,
     turns: Option<Turns>,
 }
-
-/// Relative accuracy of the numbers of a table: rounding of times, positions and their differences. Velocities on both
-/// sides of a sample that differ by less are the same.
-const SAMPLE_DIGITS: f64 = 8.0 * f64::EPSILON;
 
 /// The place of a time among the samples.
 enum Place {
@@ -346,8 +343,8 @@ impl SampledCurve {
             let still = (DVec3::ZERO, f64::INFINITY);
             let (before, h_before) = k.checked_sub(1).map_or(still, velocity);
             let (after, h_after) = if k < between.len() { velocity(k) } else { still };
-            let digits = SAMPLE_DIGITS * (size + before.length().max(after.length()) * self.times[k].abs());
-            let steps = SAMPLE_DIGITS * (before.length() + after.length());
+            let digits = rounding::FEW_TERMS * (size + before.length().max(after.length()) * self.times[k].abs());
+            let steps = rounding::FEW_TERMS * (before.length() + after.length());
             (after - before).length() > digits * (1.0 / h_before + 1.0 / h_after) + steps
         })
     }
