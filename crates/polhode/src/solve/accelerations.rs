@@ -85,8 +85,8 @@ pub(crate) struct ContactTangent {
 
 impl ContactTangent {
     /// The direction in which the slip of a contact begins to grow: against its friction force. The slip acceleration
-    /// has the same direction, but where the force barely exceeds static friction it is too small to give one. A contact
-    /// that touches without pressing bears no force: its slip follows its acceleration.
+    /// has the same direction, but where the force barely exceeds static friction it is too small to give one. A
+    /// contact that touches without pressing bears no force: its slip follows its acceleration.
     pub(crate) fn begins_along(&self) -> Option<DVec3> {
         if !self.has_force {
             return self.slip_acceleration.try_normalize();
