@@ -153,7 +153,8 @@ pub(super) fn solve(
     let laws = Laws::new(&assembly, (contacts.len(), friction));
     let Answer { reactions: forces, on_bodies, beyond_cones, .. } =
         with_loads_of_bearings(&mut assembly, constants, &laws.blocks, memory)?;
-    let violation = if beyond_cones { laws.violation(&forces) } else { None };
+    let of_contacts = if beyond_cones { laws.violation(&forces) } else { None };
+    let violation = ConeViolation::larger(of_contacts, ConeViolation::of_bearings(&assembly));
     let slips = friction.iter().filter_map(|contact| {
         let Sliding { row, coefficient, .. } = contact.own.sliding?;
         Some(coefficient * forces.get(contact.contact)? * row.dot(contact.own.terms.slip_velocity))

@@ -264,6 +264,7 @@ impl Forces {
 /// without contact forces.
 fn violation_of(found: &Accelerations, friction: &[Option<ContactFriction>], load: f64) -> Option<ConeViolation> {
     let by_forces = largest_violation(found.contacts.iter().flatten().map(|contact| contact.rubbing), load);
+    let by_forces = ConeViolation::larger(by_forces, ConeViolation::of_bearings(&found.assembly));
     let sticks = found.contacts.iter().flatten().zip(friction.iter().flatten()).filter(|(_, own)| own.is_held);
     let slip = |(contact, own): (&ContactTangent, &ContactFriction)| {
         let value = own.slip_acceleration.length() / found.scale;

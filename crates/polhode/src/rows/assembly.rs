@@ -494,13 +494,24 @@ impl Assembly {
         let renewed: Vec<(usize, Pressed)> =
             self.pressed.iter().map(|(row, own)| (*row, own.renewed(of_joint, h).unwrap_or(*own))).collect();
         let changes = renewed != self.pressed;
-        self.pressed = if changes { self.last_round.next(&self.pressed, renewed) } else { renewed };
+        if changes {
+            self.pressed = self.last_round.next(&self.pressed, renewed);
+        } else {
+            self.last_round = LastRound::default();
+        }
         Ok(changes)
     }
 
-    /// How much the loads of bearings have changed by the last round, relative to the largest.
+    /// How much the loads of bearings have changed by the last round, relative to the largest; zero where they were
+    /// found.
     pub(crate) fn change_of_pressing(&self) -> f64 {
         self.last_round.relative_change()
+    }
+
+    /// The bodies of the first bearing with friction.
+    pub(crate) fn first_bearing(&self) -> Option<(usize, usize)> {
+        let ConstraintId::Contact(id) = self.constraint(self.pressed.first()?.0)? else { return None };
+        Some((id.a, id.b))
     }
 
     /// Splits generalised velocities, accelerations or forces into (body, linear part, angular part).

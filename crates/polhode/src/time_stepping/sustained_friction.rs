@@ -468,9 +468,7 @@ fn settle(
         rounds += 1;
         let is_found = !assembly.press_by_loads(&solved.reactions, h)?;
         if is_found || rounds == MOST_ROUNDS_OF_BEARINGS {
-            if !is_found {
-                solved.report.residual = solved.report.residual.max(assembly.change_of_pressing());
-            }
+            solved.report.residual = solved.report.residual.max(assembly.change_of_pressing());
             return Ok(Settled { friction, solved, factorisations });
         }
         assembly.press(&mut constants, h);

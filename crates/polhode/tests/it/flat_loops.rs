@@ -4,7 +4,7 @@
 use crate::support::{accurate, run};
 use polhode::scene::{Coordinate, Freedom, Joint, JointFriction, Method, Tier};
 use polhode::spatial::{DVec3, Inertia, Mass, MassProperties, Pose, Rotation, UnitVector, Velocity};
-use polhode::{Body, BodyId, Effects, Scene, SceneBuilder, Simulation};
+use polhode::{Body, BodyId, Effects, Outcome, Scene, SceneBuilder, Simulation};
 use std::f64::consts::FRAC_PI_2;
 
 /// Of the linkages: so long as their flat positions are passed once or twice.
@@ -159,6 +159,7 @@ fn cranks_that_rub_did_not_come_through_their_flat_position() {
             assert!(below < -0.1, "{tier:?}: {below} m, {:?}", report.warnings);
             let lost = report.energy.initial_j - report.energy.final_j;
             assert!(lost > 0.0, "{tier:?}: {lost} J");
+            assert_eq!(report.outcome, Outcome::Degraded, "{tier:?}: {:?}", report.warnings);
         }
     }
 }
