@@ -127,8 +127,8 @@ pub use guesses::{GuessedForces, MOST_GUESSED, guesses};
 pub use heuristic::{HeuristicSolution, heuristic};
 pub use impact::friction::{
     CollisionMatrix, FrictionalImpact, FrictionalImpactStatus, ImpactPhase, MultipleFrictionalImpact, MultipleImpact,
-    MultipleImpactLaw, MultipleImpactSettings, MultipleImpactStatus, PhaseKind, RestitutionLaw, SingleFrictionalImpact,
-    SlidingContact, SlidingForce,
+    MultipleImpactLaw, MultipleImpactSettings, PhaseKind, RestitutionLaw, SingleFrictionalImpact, SlidingContact,
+    SlidingForce,
 };
 pub use impact::{
     Application, ImpactLaw, ImpactOutcome, ImpactProblem, ImpactSettings, ImpactStatus, PulseExponent,

@@ -21,7 +21,7 @@ use crate::model::{prescribed, reported, tolerances};
 use crate::report::event::{Event, EventKind};
 use crate::rows::groups::{Group, groups};
 use crate::solve::frictional_impact::Restitution;
-use crate::solve::impact::{Struck, impulse_event, raised_energy, strike};
+use crate::solve::impact::{Struck, impulse_event, raised_energy, strike_group};
 use crate::solve::open_loads;
 use crate::solve::overlap::is_excess;
 use crate::solve::projection::{self, Projected};
@@ -172,7 +172,7 @@ impl Resolution<'_> {
         }
         let law = self.core.settings.impact;
         let settings = ImpactSettings::default();
-        let struck = strike(
+        let struck = strike_group(
             &self.core.model,
             &mut self.motions.states,
             group,

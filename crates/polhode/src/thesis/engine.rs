@@ -22,7 +22,7 @@ use crate::rows::groups::{Group, groups};
 use crate::scene::{ContactMethod, Response};
 use crate::snapshot::parts::save_contact;
 use crate::snapshot::{SnapshotError, content};
-use crate::solve::impact::{impulse_event, strike};
+use crate::solve::impact::{impulse_event, strike_group};
 use crate::solve::reactions::support;
 use crate::tier::core::Core;
 use crate::tier::error_estimate::{EVERY, ErrorEstimate};
@@ -200,7 +200,7 @@ impl ThesisEngine {
             let solver = SolverSettings::default();
             let settings = ImpactSettings { threshold: PROPAGATION_THRESHOLD, limit: MOST_COLLISIONS, solver };
             let law = core.settings.impact;
-            strike(model, states, group, touches, law, &settings, &mut core.memory).map(|struck| struck.outcome)
+            strike_group(model, states, group, touches, law, &settings, &mut core.memory).map(|struck| struck.outcome)
         };
         outcome.map(Some).map_err(|source| SimulationError::of_response(core.t, source))
     }

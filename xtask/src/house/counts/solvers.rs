@@ -22,7 +22,7 @@ const DELASSUS: &str = "Delassus";
 /// Methods that solve, of types of `polhode-response`.
 const METHODS: [&str; 4] = ["solve", "solve_with_forest", "solve_in_bodies", "resolve"];
 /// Functions that solve.
-const FUNCTIONS: [&str; 17] = [
+const FUNCTIONS: [&str; 16] = [
     "solve",
     "solve_complementarity",
     "solve_friction",
@@ -35,8 +35,7 @@ const FUNCTIONS: [&str; 17] = [
     "heuristic",
     "guesses",
     "motion_depends_on_choice",
-    "strike_rows",
-    "strike_blocks",
+    "strike",
     "remove",
     "hold",
     "hold_all",
