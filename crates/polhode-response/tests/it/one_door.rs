@@ -6,7 +6,7 @@ use polhode_response::solve::impact::{BlockLaw, Blow, Impact, Strikes, strike};
 use polhode_response::solve::removal::{Limits, remove};
 use polhode_response::{
     Answer, Ask, Blocks, ContactProblem, ImpactLaw, ImpactSettings, ImpactStatus, Law, Memory, MultipleImpactLaw,
-    Resistance, ResistedPart, ResponseError, RestitutionLaw, RowProblem, SolverStatus, solve,
+    Question, Resistance, ResistedPart, ResponseError, RestitutionLaw, RowProblem, SolverStatus, solve,
 };
 
 /// Gravity, m/s^2.
@@ -42,7 +42,8 @@ fn tilted(problem: &ContactProblem, slope: f64) -> (Vec<f64>, Vec<f64>) {
 }
 
 fn ask(problem: &ContactProblem, blocks: &Blocks, constants: &[f64], ask: Ask<'_>) -> Result<Answer, ResponseError> {
-    solve(&RowProblem { blocks: Some(blocks), ..RowProblem::new(problem, constants) }, ask, &mut Memory::default())
+    let known = Question { blocks: Some(blocks), constants, ..Question::default() };
+    solve(&RowProblem { rows: problem, joints: 0..0, known }, ask, &mut Memory::default())
 }
 
 /// On a slope below its friction the box stays: at rest, at an instant and as a certificate, with forces in the cones

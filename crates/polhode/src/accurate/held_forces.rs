@@ -29,7 +29,7 @@ use crate::solve::cone_violation::{ConeViolation, RubbingForce, largest_violatio
 use crate::solve::reactions::Reactions;
 use polhode_contact::ContactKinematics;
 use polhode_dynamics::BodyState;
-use polhode_response::{Answer, Ask, Blocks, Memory, Resistance, ResponseError, RowProblem};
+use polhode_response::{Answer, Ask, Blocks, Memory, Question, Resistance, ResponseError};
 use polhode_spatial::DVec3;
 use std::ops::Range;
 
@@ -184,9 +184,8 @@ fn with_loads_of_bearings(
 ) -> Result<Answer, ResponseError> {
     let mut rounds = 0;
     loop {
-        let (joints, blocks) = (assembly.joint_rows(), Some(blocks));
-        let problem = RowProblem { joints, blocks, ..RowProblem::new(&assembly.problem, &constants) };
-        let found = polhode_response::solve(&problem, Ask::Stage, memory)?;
+        let known = Question { blocks: Some(blocks), constants: &constants, ..Question::default() };
+        let found = assembly.answer(known, Ask::Stage, memory)?;
         rounds += 1;
         if rounds == MOST_ROUNDS_OF_BEARINGS || !assembly.press_by_loads(&found.reactions, 1.0)? {
             return Ok(found);

@@ -23,7 +23,7 @@ use crate::solve::cone_violation::RubbingForce;
 use polhode_dynamics::BodyState;
 use polhode_response::friction::ContactStatus;
 use polhode_response::solve::instant::{SLIDING_ROUNDING, STICKING_ACCELERATION};
-use polhode_response::{Answer, Ask, Blocks, Choice, Memory, ResponseError, RowProblem, WarmStart, solve};
+use polhode_response::{Answer, Ask, Blocks, Choice, Memory, Question, ResponseError, WarmStart};
 use polhode_spatial::DVec3;
 use std::collections::BTreeMap;
 
@@ -161,14 +161,8 @@ impl Accelerations {
         let start = WarmStart::new((0..contacts.len()).filter(|&place| contacts[place].hold == Hold::Held).collect());
         let mut rounds = 0;
         let mut solved = loop {
-            let problem = RowProblem {
-                blocks: Some(&blocks),
-                joints: assembly.joint_rows(),
-                start: Some(&start),
-                noise_floor,
-                ..RowProblem::new(&assembly.problem, &constants)
-            };
-            let found = solve(&problem, ask, memory)?;
+            let known = Question { blocks: Some(&blocks), constants: &constants, start: Some(&start), noise_floor };
+            let found = assembly.answer(known, ask, memory)?;
             rounds += 1;
             if rounds == MOST_ROUNDS_OF_BEARINGS || !assembly.press_by_loads(&found.reactions, 1.0)? {
                 break found;

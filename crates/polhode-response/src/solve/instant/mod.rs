@@ -39,7 +39,7 @@ pub(super) fn solve_sparse(
     blocks: &Blocks,
     ask: Ask<'_>,
 ) -> Result<Option<Answer>, ResponseError> {
-    let terms = Terms { rows: problem.rows, blocks, constants: problem.constants };
+    let terms = Terms { rows: problem.rows, blocks, constants: problem.known.constants };
     if let Ask::Balance { free } = ask {
         let report = SolverReport { status: SolverStatus::Inaccurate, ..SolverReport::default() };
         let unknown = || Answer { report, ..Answer::default() };
@@ -49,7 +49,7 @@ pub(super) fn solve_sparse(
     if ask != Ask::Present || turns || !way::is_in_bodies(problem.rows, blocks.contacts()) {
         return Ok(None);
     }
-    let solved = solve_many(problem.rows, blocks, problem.constants)?;
+    let solved = solve_many(problem.rows, blocks, problem.known.constants)?;
     Ok((solved.report.status == SolverStatus::Solved).then(|| Answer::from(solved)))
 }
 
@@ -58,7 +58,7 @@ pub(super) fn solve_sparse(
 /// # Errors
 /// When a number is not finite.
 pub(super) fn solve(problem: &RowProblem<'_>, blocks: &Blocks, ask: Ask<'_>) -> Result<Answer, ResponseError> {
-    let terms = Terms { rows: problem.rows, blocks, constants: problem.constants };
+    let terms = Terms { rows: problem.rows, blocks, constants: problem.known.constants };
     let slides = blocks.laws().iter().any(|law| law.parts().iter().any(|(_, part)| part.slides));
     let free = if let Ask::Rest { free } = ask { Some(free) } else { None };
     if let Some(free) = free
@@ -81,5 +81,5 @@ pub(super) fn solve(problem: &RowProblem<'_>, blocks: &Blocks, ask: Ask<'_>) -> 
         return Ok(rounded(sticking::of_no_slip(terms, &delassus, at)?, None));
     }
     let settings = FrictionSettings { acceptance: ACCEPTED_SLIDING, ..FrictionSettings::default() };
-    Ok(rounded(blocks.solve(&delassus, problem.constants, None, &settings)?, None))
+    Ok(rounded(blocks.solve(&delassus, problem.known.constants, None, &settings)?, None))
 }
