@@ -7,7 +7,7 @@ use crate::impact::friction::reversal::reversal;
 use crate::impact::friction::{
     MultipleFrictionalImpact, MultipleImpact, MultipleImpactLaw, MultipleImpactSettings, RestitutionLaw,
 };
-use crate::impact::{Application, ImpactLaw, ImpactOutcome, ImpactProblem, ImpactSettings, propagation_in_order};
+use crate::impact::{Application, ImpactLaw, ImpactOutcome, ImpactProblem, ImpactSettings};
 use crate::problem::ContactProblem;
 use crate::tolerances::LARGEST_RESIDUAL_ROUNDING;
 
@@ -100,7 +100,7 @@ pub fn strike(impact: &Impact<'_>, memory: &mut Memory) -> Result<Struck, Respon
             contacts.delassus_into(delassus);
             let problem = ImpactProblem { contacts, delassus, u_before, restitution, settings };
             match order {
-                Some(order) => propagation_in_order(&problem, active_set, order),
+                Some(order) => law.resolve_in_order(&problem, active_set, order),
                 None => law.resolve(&problem, active_set),
             }
         }
