@@ -85,8 +85,8 @@ pub(crate) struct ContactTangent {
 
 impl ContactTangent {
     /// The direction in which the slip of a contact begins to grow: against its friction force. The slip acceleration
-    /// has the same direction, but where the force barely exceeds static friction it is too small to give one. A contact
-    /// that touches without pressing bears no force: its slip follows its acceleration.
+    /// has the same direction, but where the force barely exceeds static friction it is too small to give one. A
+    /// contact that touches without pressing bears no force: its slip follows its acceleration.
     pub(crate) fn begins_along(&self) -> Option<DVec3> {
         if !self.has_force {
             return self.slip_acceleration.try_normalize();
@@ -159,16 +159,8 @@ impl Accelerations {
         let has_joints = !assembly.bilaterals().is_empty();
         let noise_floor = if has_joints { tolerances::acceleration_rounding(model, states, bodies) } else { 0.0 };
         let start = WarmStart::new((0..contacts.len()).filter(|&place| contacts[place].hold == Hold::Held).collect());
-        let mut rounds = 0;
-        let mut solved = loop {
-            let known = Question { blocks: Some(&blocks), constants: &constants, start: Some(&start), noise_floor };
-            let found = assembly.answer(known, ask, memory)?;
-            rounds += 1;
-            if rounds == MOST_ROUNDS_OF_BEARINGS || !assembly.press_by_loads(&found.reactions, 1.0)? {
-                break found;
-            }
-            assembly.press(&mut constants, 1.0);
-        };
+        let known = Question { blocks: Some(&blocks), start: Some(&start), noise_floor, ..Question::default() };
+        let mut solved = with_loads_of_bearings(&mut assembly, &mut constants, (known, ask), memory)?;
         let of_bodies = with_free(assembly.problem.response(&solved.reactions)?, &free);
         let assembly = assembly.with_supports(model);
         solved.reactions = assembly.least(&solved.reactions)?.into_owned();
@@ -201,6 +193,26 @@ impl Accelerations {
             assembly,
         })
     }
+}
+
+/// The forces of the rows of an assembly, found again until the loads of bearings stay: these change the constant terms.
+///
+/// # Errors
+/// When a number is not finite.
+pub(crate) fn with_loads_of_bearings(
+    assembly: &mut Assembly,
+    constants: &mut [f64],
+    (known, ask): (Question<'_>, Ask<'_>),
+    memory: &mut Memory,
+) -> Result<Answer, ResponseError> {
+    for _ in 1..MOST_ROUNDS_OF_BEARINGS {
+        let found = assembly.answer(Question { constants, ..known }, ask, memory)?;
+        if !assembly.press_by_loads(&found.reactions, 1.0)? {
+            return Ok(found);
+        }
+        assembly.press(constants, 1.0);
+    }
+    assembly.answer(Question { constants, ..known }, ask, memory)
 }
 
 /// What is asked of the rows between bodies in these states.
