@@ -20,6 +20,7 @@ use crate::joints::breaking;
 use crate::model::{prescribed, reported, tolerances};
 use crate::report::event::{Event, EventKind};
 use crate::rows::groups::{Group, groups};
+use crate::scene::ImpactLaw;
 use crate::solve::frictional_impact::Restitution;
 use crate::solve::impact::{Struck, impulse_event, raised_energy, strike_group};
 use crate::solve::open_loads;
@@ -53,6 +54,9 @@ const LOWERED: &str = "restitution of impacts with friction was lowered: the ful
 /// What is said of contacts that slide in different directions with forces that are not unique, before the names.
 const LEAST_NORM: &str =
     "normal forces of contacts that slide are not unique, and those of least norm are taken: the motion of";
+
+/// What is said of contacts that propagation strikes one after the other, before the names.
+const STRUCK_IN_ORDER: &str = "contacts that approach at one instant are struck one after the other: the motion of";
 
 /// The warning of bearings with friction in a mechanism that has more supports than it needs, before the names.
 const OPEN_LOADS: &str =
@@ -171,6 +175,11 @@ impl Resolution<'_> {
             self.motions.tracks[body].mode = Mode::Constrained;
         }
         let law = self.core.settings.impact;
+        let approaching = group.contacts.iter().filter(|&&i| self.approaches(&self.instant.touches[i])).count();
+        if law == ImpactLaw::Propagation && approaching > 1 {
+            let names = reported::names_of(&self.core.model, &group.bodies);
+            self.core.accounts.choose(self.instant.t, format!("{STRUCK_IN_ORDER} {names} depends on their order"));
+        }
         let settings = ImpactSettings::default();
         let struck = strike_group(
             &self.core.model,

@@ -51,6 +51,8 @@ pub struct Account {
     pub end: f64,
     /// Whether time steps have passed a stretch of crowded events.
     pub is_crowded: bool,
+    /// When the run first told that its laws allow several motions, of which it took one.
+    pub first_choice_s: Option<f64>,
 }
 
 /// A law that a run has broken.

@@ -88,11 +88,16 @@ pub(super) fn all_hold(terms: Terms<'_>) -> Result<Option<HoldingWhileSliding>, 
         least_norm_sliding_forces(&ordered, &delassus, &constants[..held], sliding)?;
     let mut of_rows = order.in_rows(&forces);
     if !contacts.obey(&of_rows) {
-        if loads.is_some() {
-            return Ok(None);
-        }
         let cones = contacts.cones(|row| order.places[row]);
-        let Some(found) = least_forces_in_cones(&delassus, held, sliding, &cones, &forces)? else { return Ok(None) };
+        let Some(mut found) = least_forces_in_cones(&delassus, held, sliding, &cones, &forces)? else {
+            return Ok(None);
+        };
+        if loads.is_some() {
+            // What these forces miss is rounding of the heaviest bodies, and would move the lightest.
+            let left = ordered.accelerations(&constants, &found)?;
+            let change = least_norm_sliding_forces(&ordered, &delassus, &left[..held], sliding)?.forces;
+            found.iter_mut().zip(&change).for_each(|(force, change)| *force += change);
+        }
         of_rows = order.in_rows(&found);
         if !contacts.obey(&of_rows) {
             return Ok(None);

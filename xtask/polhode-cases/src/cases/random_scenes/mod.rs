@@ -115,6 +115,7 @@ pub(super) fn scenes(context: &Context) -> CaseResult {
         Row::exact(CASE, &named("seeds that are refused"), "none", list(&|v| v.is_refused())),
         Row::at_most(CASE, &named("share that is degraded or fails"), MOST_FAILED, share(&|v| v.fails())),
         Row::at_most(CASE, &named("share that takes very many steps"), MOST_SLOW, share(&|v| v.is_slow())),
+        Row::info(CASE, &named("one of several motions, as told"), "", list(&|v| v.is_one_of_several())),
         Row::info(CASE, &named("degraded or failed"), "", list(&|v| v.fails())),
         Row::info(CASE, &named("very many steps"), "", list(&|v| v.is_slow())),
         Row::info(CASE, &named("share that takes longer than 20 s here"), MOST_SLOW, share(&|v| v.is_late())),

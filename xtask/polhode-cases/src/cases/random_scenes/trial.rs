@@ -173,6 +173,7 @@ fn ending(report: &RunReport, observer: &mut Bounded) -> Ending {
         initial: report.energy.initial_j,
         end: report.energy.final_j,
         is_crowded: !report.crowded.is_empty(),
+        first_choice_s: report.choices.iter().map(|choice| choice.first_s).min_by(f64::total_cmp),
     };
     if observer.is_stopped {
         let place = format!("at t = {} s of {} s", report.simulated_s, report.duration_s);

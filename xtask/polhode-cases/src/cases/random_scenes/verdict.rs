@@ -31,6 +31,8 @@ pub struct Verdict {
     laws: Vec<Finding>,
     /// Copies that are other runs, in words.
     copies: Vec<String>,
+    /// Copies that are other runs since one of the two has told that its laws allow several motions.
+    told: Vec<String>,
     /// Steps of the run.
     pub steps: u64,
     /// Wall time of the run, s.
@@ -49,6 +51,7 @@ impl Verdict {
             ending: trial.ending.clone(),
             laws: Vec::new(),
             copies: Vec::new(),
+            told: Vec::new(),
             steps: trial.steps,
             wall_s: trial.wall_s,
         };
@@ -70,7 +73,7 @@ impl Verdict {
         model.interval = trial.track.times.get(1).copied().unwrap_or_default();
         let laws = if trial.ending == Ending::Completed { judge(&model, &trial.track) } else { Vec::new() };
         let (steps, wall_s) = (trial.steps, trial.wall_s);
-        Ok(Self { seed: 0, ending: trial.ending, laws, copies: Vec::new(), steps, wall_s })
+        Ok(Self { seed: 0, ending: trial.ending, laws, copies: Vec::new(), told: Vec::new(), steps, wall_s })
     }
 
     fn compare(&mut self, model: &Model, trial: &Trial, copies: Copies) -> Result<(), Box<dyn Error>> {
@@ -97,9 +100,12 @@ impl Verdict {
         let mut hold = |name: &str, copy: SceneCopy, other: &Trial| {
             let found = compare::differences(model, copy, &trial.track, &other.track);
             let is_crowded = trial.track.account.is_crowded || other.track.account.is_crowded;
+            let choices = [trial, other].map(|run| run.track.account.first_choice_s);
             if let Some((sample, apart)) = compare::departure(&found, &grown, is_crowded) {
                 let (t, grown) = (trial.track.times[sample], grown[sample]);
-                self.copies.push(format!("{name}: {apart:.1e} at t = {t} s (disturbed {grown:.1e})"));
+                let what = format!("{name}: {apart:.1e} at t = {t} s (disturbed {grown:.1e})");
+                let is_told = choices.into_iter().flatten().any(|choice_s| choice_s <= t);
+                if is_told { self.told.push(what) } else { self.copies.push(what) }
             }
             match (&other.ending, &trial.ending) {
                 (one, two) if one == two => {}
@@ -156,6 +162,11 @@ impl Verdict {
         !self.laws.is_empty()
     }
 
+    /// Whether a copy of it is another run, which was told.
+    pub(super) fn is_one_of_several(&self) -> bool {
+        !self.told.is_empty()
+    }
+
     /// Whether a copy of it is another run.
     pub(super) fn differs(&self) -> bool {
         !self.copies.is_empty()
@@ -206,6 +217,7 @@ impl fmt::Display for Verdict {
         for Finding { law, what, of_limit } in &self.laws {
             write!(f, "; {law} ({of_limit:.1e} of its limit): {what}")?;
         }
+        self.told.iter().try_for_each(|copy| write!(f, "; copy {copy}, as told"))?;
         self.copies.iter().try_for_each(|copy| write!(f, "; copy {copy}"))
     }
 }
