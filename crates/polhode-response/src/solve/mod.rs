@@ -14,14 +14,12 @@
 //! | [`impact`] | impulses of impacts, with friction or without |
 //! | [`held`] | rows that hold, by the reactions of least norm |
 //! | [`removal`] | what takes gaps and velocities out of rows that hold |
-//! | `many` | blocks of many contacts at an instant |
 //! | [`step`] | blocks with friction over a time step |
 
 pub mod answer;
 pub mod held;
 pub mod impact;
 pub mod instant;
-mod many;
 pub mod problem;
 pub mod removal;
 mod stage;

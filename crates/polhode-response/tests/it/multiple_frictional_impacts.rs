@@ -278,7 +278,7 @@ fn reflect(u_before: &[f64], entry: &dyn Fn(usize, usize) -> f64, restitution: f
         settings: &settings,
     };
     let outcome = ImpactLaw::Reflection.resolve(&problem, &mut ComplementaritySolver::default()).unwrap();
-    (outcome.status == polhode_response::ImpactStatus::Separated).then_some(outcome.velocities_after)
+    (outcome.status == ImpactStatus::Separated).then_some(outcome.velocities_after)
 }
 
 /// Contacts that do not move each other are struck each by the law of a single contact, with all digits.

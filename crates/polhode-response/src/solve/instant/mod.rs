@@ -18,7 +18,6 @@ pub use terms::{SLIDING_ROUNDING, STICKING_ACCELERATION};
 
 use self::terms::{At, Terms, rounding_of};
 use super::answer::{Answer, Choice};
-use super::many::solve_many;
 use super::problem::{Ask, RowProblem};
 use super::way;
 use crate::error::ResponseError;
@@ -49,7 +48,7 @@ pub(super) fn solve_sparse(
     if ask != Ask::Present || turns || !way::is_in_bodies(problem.rows, blocks.contacts()) {
         return Ok(None);
     }
-    let solved = solve_many(problem.rows, blocks, problem.known.constants)?;
+    let solved = terms.in_bodies()?;
     Ok((solved.report.status == SolverStatus::Solved).then(|| Answer::from(solved)))
 }
 
