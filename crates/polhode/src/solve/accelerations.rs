@@ -195,7 +195,7 @@ impl Accelerations {
     }
 }
 
-/// The forces of the rows of an assembly, found again until the loads of bearings stay: these change the constant terms.
+/// The forces of rows, found again until the loads of bearings stay: these change the constant terms.
 ///
 /// # Errors
 /// When a number is not finite.
