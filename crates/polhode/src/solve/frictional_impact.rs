@@ -23,7 +23,7 @@ use crate::scene::{FrictionEllipse, ImpactLaw};
 use crate::solve::cone_violation::{ConeViolation, RubbingForce, largest_violation};
 use polhode_dynamics::BodyState;
 use polhode_response::impact::{ImpactOutcome, ImpactStatus};
-use polhode_response::solve::impact::{BlockLaw, Blow, Impact, Strikes, strike};
+use polhode_response::solve::impact::{BlockLaw, Blow, Impact, Strikes, Struck, strike};
 use polhode_response::{Blocks, Memory, ResponseError, RestitutionLaw};
 use polhode_spatial::CompensatedSum;
 
@@ -121,33 +121,36 @@ pub(crate) fn solve(
     };
     let impact =
         Impact { rows: &assembly.problem, before: &before, restitution: &restitution, law: Strikes::Blocks(by) };
-    let mut struck = strike(&impact, &mut Memory::default())?;
-    let reactions = std::mem::take(&mut struck.outcome.impulses);
-    let violation = violation_of(&assembly, &frictional, &reactions);
+    let struck = strike(&impact, &mut Memory::default())?;
+    let violation = violation_of(&assembly, &frictional, &struck.outcome.impulses);
     // Contacts of the cone problem are at zero to its residual: the energy is that of what the impulses really do. They
     // act along the rows. Where curves are nearly parallel, the rate of their separation is less exact than these.
     for (velocity, touch) in before.iter_mut().zip(contacts) {
         *velocity = rate_of_separation(model, states, touch);
     }
-    let works = reactions.iter().zip(&struck.changes).zip(&before);
-    let works = works.map(|((p, given), before)| p * (before + 0.5 * given));
+    Ok(FrictionalImpact { violation, ..impact_of(assembly, &before, struck) })
+}
+
+/// The impact at rows that moved at `before` (m/s): of contacts and pivots, of tangents and rotations.
+fn impact_of(assembly: Assembly, before: &[f64], struck: Struck) -> FrictionalImpact {
+    let Struck { mut outcome, changes, friction_work, energy_rises, .. } = struck;
+    let first = assembly.first_tangent();
+    let of_first = outcome.impulses.iter().take(first).copied().collect();
+    let reactions = std::mem::replace(&mut outcome.impulses, of_first);
+    let works = reactions.iter().zip(&changes).zip(before).map(|((p, given), before)| p * (before + 0.5 * given));
     let energy_change = works.collect::<CompensatedSum>().value();
-    let friction_work_j = share_of_friction(struck.friction_work, energy_change);
-    let restitution = match struck.outcome.status {
-        _ if struck.energy_rises => Restitution::RaisesEnergy,
+    let friction_work_j = share_of_friction(friction_work, energy_change);
+    outcome.energy_change = energy_change - friction_work_j;
+    outcome.velocities_after.truncate(first);
+    let restitution = match outcome.status {
+        _ if energy_rises => Restitution::RaisesEnergy,
         ImpactStatus::RestitutionLowered => Restitution::Lowered,
         _ => Restitution::Full,
     };
-    let mut outcome = struck.outcome;
-    // [`Restitution`] says whether it was lowered.
     if matches!(outcome.status, ImpactStatus::StruckInOrder | ImpactStatus::RestitutionLowered) {
         outcome.status = ImpactStatus::Separated;
     }
-    let first = assembly.first_tangent();
-    outcome.impulses = reactions[..first].to_vec();
-    outcome.velocities_after.truncate(first);
-    outcome.energy_change = energy_change - friction_work_j;
-    Ok(FrictionalImpact { assembly, outcome, reactions, friction_work_j, restitution, violation })
+    FrictionalImpact { assembly, outcome, reactions, friction_work_j, restitution, violation: None }
 }
 
 /// Whether no contact approaches faster than a micro-collision, where there are any.
