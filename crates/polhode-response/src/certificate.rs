@@ -50,15 +50,6 @@ pub fn natural_map_residual(delassus: &Delassus, forces: &[f64], w: &[f64], b: &
 }
 
 /// `sqrt(sum_i f_i |w_i|)`: the bound of the error of the motion in the energy norm.
-///
-/// # Errors
-/// When `forces` and `w` have not the same length.
-pub fn energy_norm_bound(forces: &[f64], w: &[f64]) -> Result<f64, ResponseError> {
-    check_length("residual accelerations", forces.len(), w.len())?;
-    Ok(power_bound(forces, w))
-}
-
-/// [`energy_norm_bound`] without the check.
 pub(crate) fn power_bound(forces: &[f64], w: &[f64]) -> f64 {
     forces.iter().zip(w).map(|(f, w)| f.abs() * w.abs()).sum::<f64>().max(0.0).sqrt()
 }

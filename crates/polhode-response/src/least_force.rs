@@ -1,4 +1,5 @@
-//! The contact forces of the thesis (section 3.4): a linear programme of least total force, and guesses from it.
+//! The contact forces of the thesis (section 3.4), its heuristic: a linear programme of least total force, and guesses
+//! from it.
 //!
 //! 1. Guess that no contact vanishes: `G f = -b`, `f >= 0`.
 //! 2. If there is none: `f_a = argmin sum f` subject to `G f >= -b`, `f >= 0`. Rows with `w_a = G f_a + b > 0` are

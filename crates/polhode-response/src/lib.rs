@@ -20,9 +20,8 @@
 //! | [`sequential_impulses`] | [`SequentialImpulses`](sequential_impulses::SequentialImpulses) |
 //! | | a step in real time, contacts side by side |
 //! | [`impact::friction`] | [`SingleFrictionalImpact`], [`MultipleFrictionalImpact`]: slip, stick, reversal and jam |
-//! | [`mod@heuristic`], [`mod@guesses`] | [`heuristic()`], [`guesses()`] of the thesis |
-//! | | they tell what they took for vanishing contacts |
-//! | [`mod@least_force`] | [`least_force()`]: the linear programme of the thesis |
+//! | [`mod@guesses`] | [`guesses()`] of the thesis, which tell what they took for vanishing contacts |
+//! | [`mod@least_force`] | [`least_force()`]: the heuristic of the thesis by linear programmes |
 //! | `census` | with the feature of that name: which method answers each solve, and what the next would have given |
 //! | [`certificate`] | residual and error bound of any answer |
 //! | [`report`] | [`SolverReport`], [`SolverStatus`] |
@@ -99,7 +98,6 @@ mod dense;
 pub mod error;
 pub mod friction;
 pub mod guesses;
-pub mod heuristic;
 pub mod impact;
 mod interior_point;
 pub mod law;
@@ -124,11 +122,10 @@ pub use delassus::{Delassus, check_delassus};
 pub use error::ResponseError;
 pub use friction::{Blocks, BlocksSolution, FallbackPolicy, ResistedPart};
 pub use guesses::{GuessedForces, MOST_GUESSED, guesses};
-pub use heuristic::{HeuristicSolution, heuristic};
 pub use impact::friction::{
     CollisionMatrix, FrictionalImpact, FrictionalImpactStatus, ImpactPhase, MultipleFrictionalImpact, MultipleImpact,
-    MultipleImpactLaw, MultipleImpactSettings, MultipleImpactStatus, PhaseKind, RestitutionLaw, SingleFrictionalImpact,
-    SlidingContact, SlidingForce,
+    MultipleImpactLaw, MultipleImpactSettings, PhaseKind, RestitutionLaw, SingleFrictionalImpact, SlidingContact,
+    SlidingForce,
 };
 pub use impact::{
     Application, ImpactLaw, ImpactOutcome, ImpactProblem, ImpactSettings, ImpactStatus, PulseExponent,
@@ -144,7 +141,7 @@ pub use problem::{ContactProblem, RowEntries};
 pub use report::{Method, SolverReport, SolverStatus};
 pub use settings::SolverSettings;
 pub use sliding::{SlidingRow, least_norm_sliding_forces, motion_depends_on_choice};
-pub use solve::{Answer, Ask, Choice, Memory, RowProblem, solve};
+pub use solve::{Answer, Ask, Choice, Memory, Question, RowProblem, solve};
 
 pub use polhode_spatial as spatial;
 

@@ -21,12 +21,8 @@
 //! Source: Stronge 1990, for one contact; the extension to several is derived here.
 
 use super::finish::Impact;
-use super::impact_problem::ImpactProblem;
 use super::outcome::{ImpactOutcome, ImpactStatus};
-use super::unequal::or_lowered;
-use crate::complementarity::ComplementaritySolver;
 use crate::dense::scalar::Scalar;
-use crate::error::ResponseError;
 use polhode_spatial::rounding;
 
 /// Longest expansion, in lengths of the compression (no unit, 4 to 100): with one restitution it is `e`. Rows that
@@ -36,30 +32,8 @@ const LONGEST_EXPANSION: f64 = 16.0;
 /// Most rounds; those that end at all take fewer (16 to 256).
 const ROUNDS: usize = 64;
 
-/// Resolves an impact by energetic restitution at each touching contact.
-///
-/// # Errors
-/// When a list has the wrong length, a number is not finite, or a restitution is outside `[0, 1]`.
-pub fn energetic(
-    problem: &ImpactProblem<'_>,
-    solver: &mut ComplementaritySolver,
-) -> Result<ImpactOutcome, ResponseError> {
-    let approach = problem.approach()?;
-    let restitution = problem.restitution;
-    let mut impact = Impact::new(problem, approach, solver);
-    if approach == 0.0 {
-        return Ok(impact.nothing());
-    }
-    let found = rounds(&mut impact, restitution);
-    let rows = restitution.len();
-    // Rounding of rows that nearly contradict each other: no restitution is left.
-    let mut outcome = or_lowered(&mut impact, found, Some(0.0), |impact, none| rounds(impact, &vec![none; rows]));
-    impact.list_applications(&mut outcome);
-    Ok(outcome)
-}
-
 /// Compresses and expands until no row approaches.
-fn rounds(impact: &mut Impact<'_>, restitution: &[f64]) -> ImpactOutcome {
+pub(super) fn energetic(impact: &mut Impact<'_>, restitution: &[f64]) -> ImpactOutcome {
     let mut outcome = ImpactOutcome { status: ImpactStatus::Separated, ..impact.nothing() };
     let mut velocities = impact.problem.u_before.to_vec();
     let joints = impact.joints();

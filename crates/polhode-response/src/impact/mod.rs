@@ -7,12 +7,12 @@
 //!
 //! | law | several rows | symmetric | ends |
 //! |---|---|---|---|
-//! | [`propagation`](propagation()) | one at a time, in order (thesis 3.3) | no | not always |
-//! | [`simultaneous`](simultaneous()) | all at once (Moreau; thesis 3.4, end) | yes | yes |
-//! | [`reflection`](reflection()) | those that approach, repeated (Smith et al. 2012) | yes | yes |
-//! | [`poisson`](poisson()) | all at once, compression and expansion (Glocker and Pfeiffer 1995) | yes | yes |
-//! | [`energetic`](energetic()) | all at once, each gives back a part of its work (Stronge 1990) | yes | yes |
-//! | [`pulse`](pulse()) | as springs, along the impulse (Liu, Zhao and Brogliato 2008) | yes | yes |
+//! | `propagation` | one at a time, in order (thesis 3.3) | no | not always |
+//! | `simultaneous` | all at once (Moreau; thesis 3.4, end) | yes | yes |
+//! | `reflection` | those that approach, repeated (Smith et al. 2012) | yes | yes |
+//! | `poisson` | all at once, compression and expansion (Glocker and Pfeiffer 1995) | yes | yes |
+//! | `energetic` | all at once, each gives back a part of its work (Stronge 1990) | yes | yes |
+//! | `pulse` | as springs, along the impulse (Liu, Zhao and Brogliato 2008) | yes | yes |
 //!
 //! At a bilateral row, a joint, `u+ = 0` after every application, whatever its restitution and whatever it was before:
 //! the joints take part in each solve, with impulses of either sign.
@@ -47,15 +47,9 @@ mod simultaneous;
 mod single_contact;
 mod unequal;
 
-pub use energetic::energetic;
 pub use friction::PulseExponent;
 pub use impact_problem::ImpactProblem;
 pub use law::ImpactLaw;
 pub use outcome::{Application, ImpactOutcome, ImpactStatus};
-pub use poisson::poisson;
-pub use propagation::{propagation, propagation_in_order};
-pub use pulse::pulse;
-pub use reflection::reflection;
 pub use settings::ImpactSettings;
-pub use simultaneous::simultaneous;
 pub use single_contact::single_contact_impulse;

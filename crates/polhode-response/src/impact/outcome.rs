@@ -1,22 +1,24 @@
 //! What an impact law did: impulses, velocities after, energy, and how it ended.
 
-/// How an impact ended.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+/// How an impact ended, the gravest last.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Default)]
 pub enum ImpactStatus {
     /// No row approached: nothing to do.
     #[default]
     NoApproach,
     /// No row approaches any more.
     Separated,
+    /// Restitutions that differ would have raised the energy, or no impulses give them all: the smallest of them was
+    /// used for all rows. With friction the full one would have given back more work than it may.
+    RestitutionLowered,
     /// A warning: the impulses form a decaying sequence without end, cut off at the threshold; the remaining approach
-    /// was removed by one inelastic solve.
+    /// was removed by one inelastic solve. With friction also at the limit of rounds.
     StoppedAtThreshold,
     /// The limit of applications or rounds was reached; the remaining approach was removed by one inelastic solve.
     LimitReached,
-    /// Restitutions that differ would have raised the energy, or no impulses give them all: the smallest of them was
-    /// used for all rows.
-    RestitutionLowered,
-    /// A complementarity problem was not solved: the outcome is not to be trusted.
+    /// The cone problem of all contacts was not solved: they were struck one at a time instead.
+    StruckInOrder,
+    /// A complementarity or cone problem was not solved: the outcome is not to be trusted.
     NotSolved,
 }
 
@@ -26,9 +28,10 @@ impl ImpactStatus {
         match self {
             Self::NoApproach => "no-approach",
             Self::Separated => "separated",
+            Self::RestitutionLowered => "restitution-lowered",
             Self::StoppedAtThreshold => "stopped-at-threshold",
             Self::LimitReached => "limit-reached",
-            Self::RestitutionLowered => "restitution-lowered",
+            Self::StruckInOrder => "struck-in-order",
             Self::NotSolved => "not-solved",
         }
     }

@@ -3,62 +3,27 @@
 //! The contacts have an order, that of the rows. The first one that approaches gets the impulse of equation (14), and
 //! the search starts again from the beginning of the list; when none approaches, the impact is over.
 //!
-//! Assumption: the order of the rows means something to the caller; another order ([`propagation_in_order`]) gives
-//! another motion. The sequence
-//! may be infinite (thesis, Appendix C; errata E20 to E22: a stick with `e <= tan^2(pi/4 - theta/2)` never leaves), so
+//! Assumption: the order of the rows means something to the caller; another order
+//! ([`ImpactLaw::resolve_in_order`](super::ImpactLaw::resolve_in_order)) gives another motion. The sequence may be
+//! infinite (thesis, Appendix C; errata E20 to E22: a stick with `e <= tan^2(pi/4 - theta/2)` never leaves), so
 //! it is cut off below a threshold relative to the first approach, and what is left is removed by one inelastic solve.
 
 use super::finish::Impact;
 use super::impact_problem::ImpactProblem;
 use super::outcome::{Application, ImpactOutcome, ImpactStatus};
 use super::single_contact_impulse;
-use crate::complementarity::ComplementaritySolver;
-use crate::error::{ResponseError, check_length};
 
-/// Resolves an impact one contact at a time, in the order of the rows.
-///
-/// # Errors
-/// When a list has the wrong length, a number is not finite, or a restitution is outside `[0, 1]`.
-pub fn propagation(
-    problem: &ImpactProblem<'_>,
-    solver: &mut ComplementaritySolver,
-) -> Result<ImpactOutcome, ResponseError> {
-    let order: Vec<usize> = (0..problem.u_before.len()).collect();
-    propagation_in_order(problem, solver, &order)
-}
-
-/// [`propagation`] with the rows in another order: of those that approach, the one that comes first in `order` is
-/// struck.
-///
-/// # Errors
-/// Those of [`propagation`], and when `order` does not name each row.
-pub fn propagation_in_order(
-    problem: &ImpactProblem<'_>,
-    solver: &mut ComplementaritySolver,
-    order: &[usize],
-) -> Result<ImpactOutcome, ResponseError> {
-    let rows = problem.u_before.len();
-    check_length("order of the rows", rows, order.len())?;
-    let mut named = order.to_vec();
-    named.sort_unstable();
-    if let Some((_, &row)) = named.iter().enumerate().find(|(place, row)| place != *row) {
-        return Err(ResponseError::UnknownRow { row, rows });
-    }
-    let approach = problem.approach()?;
-    let ImpactProblem { delassus, u_before, restitution, settings, .. } = *problem;
-    let mut impact = Impact::new(problem, approach, solver);
+/// Resolves an impact one contact at a time: of the rows that approach, the one that comes first in `order` is struck.
+pub(super) fn propagation(impact: &mut Impact<'_>, order: &[usize]) -> ImpactOutcome {
+    let ImpactProblem { delassus, u_before, restitution, settings, .. } = *impact.problem;
     let tolerance = impact.tolerance;
-    let mut outcome = impact.nothing();
-    if approach == 0.0 {
-        return Ok(outcome);
-    }
-    outcome.status = ImpactStatus::Separated;
+    let mut outcome = ImpactOutcome { status: ImpactStatus::Separated, ..impact.nothing() };
     let mut velocities = u_before.to_vec();
     let joints = impact.joints();
     if !joints.is_empty() {
-        strike_with_joints(&mut impact, (&joints, order), restitution, &mut velocities, &mut outcome);
+        strike_with_joints(impact, (&joints, order), restitution, &mut velocities, &mut outcome);
         impact.conclude(velocities, &mut outcome);
-        return Ok(outcome);
+        return outcome;
     }
     while let Some(row) = order.iter().copied().find(|&row| velocities[row] < -tolerance) {
         if outcome.applications.len() >= settings.limit {
@@ -78,7 +43,7 @@ pub fn propagation_in_order(
         outcome.applications.push(Application { row, impulse, energy_change });
     }
     impact.conclude(velocities, &mut outcome);
-    Ok(outcome)
+    outcome
 }
 
 /// One contact at a time, each together with all joints, whose velocities are zero after every application.

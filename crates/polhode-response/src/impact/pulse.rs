@@ -31,27 +31,14 @@ use super::friction::springs::{PulseExponent, Springs};
 use super::impact_problem::ImpactProblem;
 use super::outcome::{ImpactOutcome, ImpactStatus};
 use super::single_contact_impulse;
-use crate::complementarity::ComplementaritySolver;
-use crate::error::ResponseError;
 
 /// Most compressions for each contact where no velocity separates all rows (16 to 1000): what loses a tenth of its
 /// energy in each has a thousandth left.
 const SQUEEZED_COMPRESSIONS: usize = 64;
 
 /// Resolves an impact by springs at the touching contacts.
-///
-/// # Errors
-/// When a list has the wrong length, a number is not finite, or a restitution is outside `[0, 1]`.
-pub fn pulse(
-    problem: &ImpactProblem<'_>,
-    solver: &mut ComplementaritySolver,
-    exponent: PulseExponent,
-) -> Result<ImpactOutcome, ResponseError> {
-    let approach = problem.approach()?;
-    let mut impact = Impact::new(problem, approach, solver);
-    if approach == 0.0 {
-        return Ok(impact.nothing());
-    }
+pub(super) fn pulse(impact: &mut Impact<'_>, exponent: PulseExponent) -> ImpactOutcome {
+    let problem = impact.problem;
     let mut outcome = ImpactOutcome { status: ImpactStatus::Separated, ..impact.nothing() };
     let mut velocities = problem.u_before.to_vec();
     let joints = impact.joints();
@@ -68,7 +55,7 @@ pub fn pulse(
         }
     } else {
         let reactions: Vec<Reaction> =
-            contacts.iter().map(|&row| Reaction::to(&mut impact, row, &joints, &mut outcome)).collect();
+            contacts.iter().map(|&row| Reaction::to(impact, row, &joints, &mut outcome)).collect();
         if let Some(springs) = springs(problem, &contacts, &reactions, (&velocities, exponent)) {
             let squeezed = !impact.can_separate(&mut outcome);
             let most = if squeezed { SQUEEZED_COMPRESSIONS * contacts.len() } else { MOST_COMPRESSIONS };
@@ -107,8 +94,7 @@ pub fn pulse(
         outcome.status = ImpactStatus::Separated;
         outcome.finishing.clear();
     }
-    impact.list_applications(&mut outcome);
-    Ok(outcome)
+    outcome
 }
 
 /// The sum of all impulses, N s.

@@ -15,11 +15,8 @@
 //! Source: Smith, Kaufman, Vouga, Tamstorf and Grinspun, Reflections on simultaneous impact, 2012.
 
 use super::finish::Impact;
-use super::impact_problem::ImpactProblem;
 use super::outcome::{ImpactOutcome, ImpactStatus};
 use super::unequal::{extremes, or_lowered};
-use crate::complementarity::ComplementaritySolver;
-use crate::error::ResponseError;
 
 /// Rounds after which it is worth one more solve to know whether they end.
 const ROUNDS_BEFORE_DOUBT: usize = 64;
@@ -32,23 +29,13 @@ struct Part {
 }
 
 /// Resolves an impact by generalised reflection.
-///
-/// # Errors
-/// When a list has the wrong length, a number is not finite, or a restitution is outside `[0, 1]`.
-pub fn reflection(
-    problem: &ImpactProblem<'_>,
-    solver: &mut ComplementaritySolver,
-) -> Result<ImpactOutcome, ResponseError> {
-    let approach = problem.approach()?;
-    let mut impact = Impact::new(problem, approach, solver);
-    if approach == 0.0 {
-        return Ok(impact.nothing());
-    }
+pub(super) fn reflection(impact: &mut Impact<'_>) -> ImpactOutcome {
+    let problem = impact.problem;
     let mut outcome = ImpactOutcome { status: ImpactStatus::Separated, ..impact.nothing() };
     // Joints have none, and leave with the mean of the two parts whatever the contacts have.
     let [least, most] = extremes(problem);
-    let inelastic = if least < 1.0 { Some(inelastic(&mut impact, &mut outcome)) } else { None };
-    let elastic = if most > 0.0 { Some(elastic(&mut impact, &mut outcome)) } else { None };
+    let inelastic = if least < 1.0 { Some(inelastic(impact, &mut outcome)) } else { None };
+    let elastic = if most > 0.0 { Some(elastic(impact, &mut outcome)) } else { None };
     let parts = (inelastic.as_ref(), elastic.as_ref());
     let start = outcome.clone();
     let evenly = |impact: &mut Impact<'_>, restitution: f64| {
@@ -56,14 +43,12 @@ pub fn reflection(
         blend_evenly(impact, parts, restitution, &mut outcome);
         outcome
     };
-    let mut outcome = if least == most {
-        evenly(&mut impact, least)
+    if least == most {
+        evenly(impact, least)
     } else {
-        blend_by_row(&mut impact, parts, problem.restitution, &mut outcome);
-        or_lowered(&mut impact, outcome, Some(least), evenly)
-    };
-    impact.list_applications(&mut outcome);
-    Ok(outcome)
+        blend_by_row(impact, parts, problem.restitution, &mut outcome);
+        or_lowered(impact, outcome, Some(least), evenly)
+    }
 }
 
 /// The inelastic impact at all touching rows: no row approaches afterwards.

@@ -10,37 +10,10 @@
 //! Source: thesis, section 3.4 (a), (b), (c) for impulses; Moreau 1988; Baraff 1989.
 
 use super::finish::Impact;
-use super::impact_problem::ImpactProblem;
 use super::outcome::{ImpactOutcome, ImpactStatus};
-use super::unequal::{or_lowered, smallest_where_they_differ};
-use crate::complementarity::ComplementaritySolver;
-use crate::error::ResponseError;
-
-/// Resolves an impact at all touching contacts at once.
-///
-/// # Errors
-/// When a list has the wrong length, a number is not finite, or a restitution is outside `[0, 1]`.
-pub fn simultaneous(
-    problem: &ImpactProblem<'_>,
-    solver: &mut ComplementaritySolver,
-) -> Result<ImpactOutcome, ResponseError> {
-    let approach = problem.approach()?;
-    let restitution = problem.restitution;
-    let mut impact = Impact::new(problem, approach, solver);
-    if approach == 0.0 {
-        return Ok(impact.nothing());
-    }
-    let found = rounds(&mut impact, restitution);
-    let rows = restitution.len();
-    let mut outcome = or_lowered(&mut impact, found, smallest_where_they_differ(problem), |impact, smallest| {
-        rounds(impact, &vec![smallest; rows])
-    });
-    impact.list_applications(&mut outcome);
-    Ok(outcome)
-}
 
 /// Repeats the solve until no row approaches.
-fn rounds(impact: &mut Impact<'_>, restitution: &[f64]) -> ImpactOutcome {
+pub(super) fn simultaneous(impact: &mut Impact<'_>, restitution: &[f64]) -> ImpactOutcome {
     let mut outcome = ImpactOutcome { status: ImpactStatus::Separated, ..impact.nothing() };
     let mut velocities = impact.problem.u_before.to_vec();
     let joints = impact.joints();

@@ -40,3 +40,14 @@ pub(super) fn or_lowered(
     }
     outcome
 }
+
+/// What a law does with these restitutions of the rows, or with this lower one for all of them, likewise.
+pub(super) fn by_one_or_lowered(
+    impact: &mut Impact<'_>,
+    law: fn(&mut Impact<'_>, &[f64]) -> ImpactOutcome,
+    lower: Option<f64>,
+) -> ImpactOutcome {
+    let restitution = impact.problem.restitution;
+    let found = law(impact, restitution);
+    or_lowered(impact, found, lower, |impact, one| law(impact, &vec![one; restitution.len()]))
+}

@@ -17,10 +17,6 @@ use super::SpringError;
 /// `(5 m v^2/(4 k))^(2/5)`.
 const HERTZ_DEPTH_POWER: f64 = 0.4;
 
-/// Duration of an elastic impact on Hertz's spring, in units of greatest depth per speed of approach:
-/// `2 sqrt(pi) Gamma(7/5)/Gamma(9/10)`.
-const HERTZ_DURATION: f64 = 2.943_275_184_324_706;
-
 /// How the elastic force grows with the overlap.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Growth {
@@ -67,11 +63,6 @@ impl NormalSpring {
         };
         let coefficient = 2.0 * ratio * of_hertz * (self.stiffness * mass).sqrt();
         Self { damping: Damping::Plain(coefficient), ..self }
-    }
-
-    /// The same spring with the damper of Hunt and Crossley, a in s/m.
-    pub fn with_hunt_crossley(self, a: f64) -> Self {
-        Self { damping: Damping::HuntCrossley(a), ..self }
     }
 
     /// How the elastic force grows.
@@ -176,14 +167,6 @@ impl NormalSpring {
         match self.growth {
             Growth::Linear => load / self.stiffness,
             Growth::Hertz => libm::cbrt((load / self.stiffness) * (load / self.stiffness)),
-        }
-    }
-
-    /// Duration (s) of an elastic impact of an effective mass (kg) at a speed (m/s); infinite at speed zero for Hertz.
-    pub fn impact_duration(&self, mass: f64, speed: f64) -> f64 {
-        match self.growth {
-            Growth::Linear => std::f64::consts::PI * (mass / self.stiffness).sqrt(),
-            Growth::Hertz => HERTZ_DURATION * self.impact_depth(mass, speed) / speed,
         }
     }
 

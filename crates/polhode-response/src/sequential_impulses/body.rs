@@ -84,11 +84,6 @@ impl ImpulseBody {
         (self.mean_linear, self.mean_angular) = (linear.to_array(), angular.to_array());
     }
 
-    /// The means that have been set: of the velocity of the centre of mass, m/s, and of the angular velocity, rad/s.
-    pub fn mean_velocity(&self) -> (DVec3, DVec3) {
-        (DVec3::from_array(self.mean_linear), DVec3::from_array(self.mean_angular))
-    }
-
     /// Sets how far the centre of mass has come since the start of the step (m), and how far the body has turned
     /// (rotation vector, rad).
     pub fn set_displacement(&mut self, moved: DVec3, turned: DVec3) {

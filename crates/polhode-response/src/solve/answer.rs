@@ -2,8 +2,11 @@
 
 use crate::complementarity::ContactSolution;
 use crate::friction::{BlocksSolution, ContactStatus};
+use crate::guesses::GuessedForces;
+use crate::least_force::{LeastForceSolution, LeastForceStage};
 use crate::least_norm_hold::LeastNormForces;
-use crate::report::SolverReport;
+use crate::report::{SolverReport, SolverStatus};
+use crate::sparse::ForestSolution;
 
 /// Whether the motion depends on which of several forces are taken that hold all contacts as well.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -34,6 +37,8 @@ pub struct Answer {
     pub choice: Option<Choice>,
     /// Whether no forces within the cones of the contacts that stick hold the rows, so that these are beyond them.
     pub beyond_cones: bool,
+    /// By a method of the thesis: what it took for contacts that vanish.
+    pub stage: Option<LeastForceStage>,
     /// What rounding of the reactions may leave of accelerations, m/s^2; 0 where it is not known.
     pub rounding: f64,
     /// The certificate.
@@ -57,5 +62,30 @@ impl From<ContactSolution> for Answer {
 impl From<LeastNormForces> for Answer {
     fn from(least: LeastNormForces) -> Self {
         Self { reactions: least.forces, on_bodies: least.loads, ..Self::default() }
+    }
+}
+
+impl From<ForestSolution> for Answer {
+    fn from(held: ForestSolution) -> Self {
+        Self { reactions: held.forces, velocities: held.rates, ..Self::default() }
+    }
+}
+
+impl From<LeastForceSolution> for Answer {
+    fn from(solved: LeastForceSolution) -> Self {
+        let LeastForceSolution { forces: reactions, residual_accelerations: velocities, stage, report, .. } = solved;
+        Self { reactions, velocities, stage: Some(stage), report, ..Self::default() }
+    }
+}
+
+impl From<GuessedForces> for Answer {
+    fn from(solved: GuessedForces) -> Self {
+        let GuessedForces { forces: reactions, residual_accelerations: velocities, vanishing, report, .. } = solved;
+        let stage = match report.status {
+            SolverStatus::Infeasible => LeastForceStage::NoForces,
+            _ if vanishing.is_empty() => LeastForceStage::NoneVanish,
+            _ => LeastForceStage::GuessOfVanishing,
+        };
+        Self { reactions, velocities, stage: Some(stage), report, ..Self::default() }
     }
 }

@@ -1,5 +1,7 @@
 //! Rows that hold, by the reactions of least norm: joints under given loads.
 
+use super::answer::Answer;
+use super::problem::{Ask, Question, RowProblem};
 use super::way;
 use crate::dense::householder::PivotedQr;
 use crate::dense::kernels::dot;
@@ -10,14 +12,23 @@ use crate::sparse::{ForestSolution, HeldForest};
 use crate::tolerances::DEPENDENT as DEPENDENT_COLUMN;
 use std::ops::Range;
 
-/// The reactions of joints that hold against these constant terms: beside their trees, or with the matrix of all rows.
+/// The reactions of joints that hold against these constant terms: beside their trees, or with the matrix of all rows;
+/// with that one also where it is asked for. The velocities of the answer are what is left of the constant terms.
 ///
 /// # Errors
 /// When a number is not finite.
 #[cfg_attr(feature = "census", track_caller)]
-pub fn hold(rows: &ContactProblem, joints: Range<usize>, constants: &[f64]) -> Result<Vec<f64>, ResponseError> {
-    let Some(forest) = way::trees(rows, joints) else { return Ok(hold_all(rows, constants)?.reactions) };
-    Ok(hold_beside(rows, &forest, constants, 0.0)?.forces)
+pub(super) fn hold(problem: &RowProblem<'_>, ask: Ask<'_>) -> Result<Answer, ResponseError> {
+    let RowProblem { rows, joints, known: Question { constants, .. } } = problem;
+    if ask == Ask::Hold
+        && let Some(forest) = way::trees(rows, joints.clone())
+    {
+        return Ok(hold_beside(rows, &forest, constants, 0.0)?.into());
+    }
+    let delassus = rows.delassus();
+    let reactions = LeastNormHold::factor(&delassus)?.solve(&delassus, constants)?;
+    let left = delassus.times(&reactions)?.iter().zip(*constants).map(|(given, constant)| given + constant).collect();
+    Ok(Answer { reactions, velocities: left, ..Answer::default() })
 }
 
 /// The same where trees of joints are eliminated first, of rows that are open by this part of the size of their bodies.
@@ -36,28 +47,6 @@ pub(super) fn hold_beside(
         LeastNormHold::factor_beside(&beside, opened)?.solve(&beside.delassus, &of_others)?
     };
     forest.with_others(rows, constants, &of_others)
-}
-
-/// Rows that hold as far as they can.
-#[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
-pub struct Held {
-    /// One for each row.
-    pub reactions: Vec<f64>,
-    /// What is left of the constant terms: not rounding where rows contradict each other.
-    pub left: Vec<f64>,
-}
-
-/// The same with the matrix of all rows: whether they contradict each other is seen among all of them.
-///
-/// # Errors
-/// When a number is not finite.
-#[cfg_attr(feature = "census", track_caller)]
-pub fn hold_all(rows: &ContactProblem, constants: &[f64]) -> Result<Held, ResponseError> {
-    let delassus = rows.delassus();
-    let reactions = LeastNormHold::factor(&delassus)?.solve(&delassus, constants)?;
-    let left = delassus.times(&reactions)?.iter().zip(constants).map(|(given, constant)| given + constant).collect();
-    Ok(Held { reactions, left })
 }
 
 /// How far rows are from depending on each other.

@@ -5,7 +5,7 @@
 //!
 //! | module | holds |
 //! |---|---|
-//! | [`problem`] | [`Ask`], [`RowProblem`], [`Memory`] |
+//! | [`problem`] | [`Ask`], [`RowProblem`], [`Question`], [`Memory`] |
 //! | [`answer`] | [`Answer`] |
 //! | [`way`] | which way a problem of a size goes: all thresholds |
 //! | `without_friction` | rows that push and hold: the active set, beside trees of joints or with all rows |
@@ -14,14 +14,12 @@
 //! | [`impact`] | impulses of impacts, with friction or without |
 //! | [`held`] | rows that hold, by the reactions of least norm |
 //! | [`removal`] | what takes gaps and velocities out of rows that hold |
-//! | `many` | blocks of many contacts at an instant |
 //! | [`step`] | blocks with friction over a time step |
 
 pub mod answer;
 pub mod held;
 pub mod impact;
 pub mod instant;
-mod many;
 pub mod problem;
 pub mod removal;
 mod stage;
@@ -30,10 +28,13 @@ pub mod way;
 mod without_friction;
 
 pub use answer::{Answer, Choice};
-pub use problem::{Ask, Memory, RowProblem};
+pub use problem::{Ask, Memory, Question, RowProblem};
 
 use crate::error::{ResponseError, check_finite, check_length};
 use crate::friction::Blocks;
+use crate::guesses::guesses;
+use crate::least_force::least_force;
+use crate::settings::SolverSettings;
 
 /// Solves for the reactions of rows: forces (N), impulses (N s), or what displaces bodies.
 ///
@@ -56,26 +57,39 @@ use crate::friction::Blocks;
 /// When a list has another length than the problem has rows, or a number is not finite.
 #[cfg_attr(feature = "census", track_caller)]
 pub fn solve(problem: &RowProblem<'_>, ask: Ask<'_>, memory: &mut Memory) -> Result<Answer, ResponseError> {
-    check_finite("constant terms", problem.constants)?;
-    let rows = problem.rows.len();
+    let (rows, Question { blocks, constants, .. }) = (problem.rows.len(), problem.known);
+    check_finite("constant terms", constants)?;
     if let Some(row) = problem.joints.end.checked_sub(1).filter(|row| *row >= rows) {
         return Err(ResponseError::UnknownRow { row, rows });
     }
-    if let Some(blocks) = problem.blocks {
+    if let Some(blocks) = blocks {
         blocks.check(rows)?;
     }
-    if let (Ask::Stage, Some(blocks)) = (ask, problem.blocks) {
+    if let (Ask::Stage, Some(blocks)) = (ask, blocks) {
         return stage::solve(problem, blocks, memory);
     }
-    check_length("constant terms", rows, problem.constants.len())?;
-    if let Some(blocks) = problem.blocks {
-        blocks.check_whole(rows)?;
-        return of_blocks(problem, blocks, ask, memory);
+    check_length("constant terms", rows, constants.len())?;
+    match (ask, blocks) {
+        (Ask::Hold | Ask::HoldAll, _) => held::hold(problem, ask),
+        (Ask::LeastForce | Ask::Guesses, _) => by_the_thesis(problem, ask, memory),
+        (_, Some(blocks)) => {
+            blocks.check_whole(rows)?;
+            of_blocks(problem, blocks, ask, memory)
+        }
+        _ if problem.rows.has_friction() => of_blocks(problem, &Blocks::of(problem.rows), ask, memory),
+        _ => of_rows(problem, ask, memory),
     }
-    if problem.rows.has_friction() {
-        return of_blocks(problem, &Blocks::of(problem.rows), ask, memory);
-    }
-    of_rows(problem, ask, memory)
+}
+
+/// The forces of rows that are all of contacts, by a method of the thesis.
+#[cfg_attr(feature = "census", track_caller)]
+fn by_the_thesis(problem: &RowProblem<'_>, ask: Ask<'_>, memory: &mut Memory) -> Result<Answer, ResponseError> {
+    let (delassus, settings) = (&mut memory.delassus, SolverSettings::default());
+    problem.rows.delassus_into(delassus);
+    Ok(match ask {
+        Ask::Guesses => guesses(delassus, problem.known.constants, &settings)?.into(),
+        _ => least_force(delassus, problem.known.constants, &settings)?.into(),
+    })
 }
 
 /// The same of blocks.

@@ -4,7 +4,6 @@ use crate::complementarity::{ComplementaritySolver, WarmStart};
 use crate::delassus::Delassus;
 use crate::friction::Blocks;
 use crate::problem::ContactProblem;
-use std::fmt::{self, Debug, Formatter};
 use std::ops::Range;
 
 /// What is asked of rows, never how.
@@ -36,17 +35,22 @@ pub enum Ask<'a> {
         /// How exactly they are worth being found, relative to the largest overlap (no unit).
         accuracy: f64,
     },
+    /// Reactions of least norm with which all rows hold: of joints under given loads.
+    Hold,
+    /// The same by the matrix of all rows, with what they leave of the constant terms: not rounding where rows
+    /// contradict each other, which is seen among all of them.
+    HoldAll,
+    /// Forces of contacts by the linear programmes of the thesis ([`least_force`](crate::least_force())).
+    LeastForce,
+    /// Forces of contacts by the guesses of the thesis ([`guesses`](crate::guesses())).
+    Guesses,
 }
 
-/// Rows, and what is known of them.
-#[derive(Clone)]
-pub struct RowProblem<'a> {
-    /// Bodies and rows.
-    pub rows: &'a ContactProblem,
+/// What is known of rows.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Question<'a> {
     /// The laws of the rows; none where those are said with the rows.
     pub blocks: Option<&'a Blocks>,
-    /// Those of the rows that are of joints.
-    pub joints: Range<usize>,
     /// `b`: accelerations without forces (m/s^2), velocities without impulses (m/s), or gaps (m), one for each row; at
     /// a stage, of the rows that are held.
     pub constants: &'a [f64],
@@ -56,18 +60,21 @@ pub struct RowProblem<'a> {
     pub noise_floor: f64,
 }
 
-impl<'a> RowProblem<'a> {
-    /// Rows with constant terms, none of which is known to be of a joint.
-    pub const fn new(rows: &'a ContactProblem, constants: &'a [f64]) -> Self {
-        Self { rows, blocks: None, joints: 0..0, constants, start: None, noise_floor: 0.0 }
-    }
+/// Rows, and what is known of them.
+#[derive(Debug, Clone)]
+pub struct RowProblem<'a> {
+    /// Bodies and rows.
+    pub rows: &'a ContactProblem,
+    /// Those of the rows that are of joints.
+    pub joints: Range<usize>,
+    /// What is known of them.
+    pub known: Question<'a>,
 }
 
-impl Debug for RowProblem<'_> {
-    fn fmt(&self, formatter: &mut Formatter<'_>) -> fmt::Result {
-        let mut shown = formatter.debug_struct("RowProblem");
-        shown.field("rows", self.rows).field("blocks", &self.blocks).field("constants", &self.constants);
-        shown.finish_non_exhaustive()
+impl<'a> RowProblem<'a> {
+    /// Rows with constant terms, none of which is known to be of a joint.
+    pub fn new(rows: &'a ContactProblem, constants: &'a [f64]) -> Self {
+        Self { rows, joints: 0..0, known: Question { constants, ..Question::default() } }
     }
 }
 

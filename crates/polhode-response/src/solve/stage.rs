@@ -25,7 +25,8 @@ use crate::sparse::{BesideForest, HeldForest};
 pub(super) fn solve(problem: &RowProblem<'_>, blocks: &Blocks, memory: &mut Memory) -> Result<Answer, ResponseError> {
     let (rows, sliding) = (problem.rows, sliding_rows(blocks));
     let held = rows.len().saturating_sub(sliding.len());
-    let constants = problem.constants.get(..held).unwrap_or(problem.constants);
+    let constants = problem.known.constants;
+    let constants = constants.get(..held).unwrap_or(constants);
     if sliding.is_empty() {
         let least = if let Some(forest) = way::trees(rows, problem.joints.clone()) {
             beside(problem, &forest)?
@@ -43,7 +44,7 @@ pub(super) fn solve(problem: &RowProblem<'_>, blocks: &Blocks, memory: &mut Memo
 
 /// The forces of rows that are all held: of those beside the trees the least ones.
 fn beside(problem: &RowProblem<'_>, forest: &HeldForest) -> Result<LeastNormForces, ResponseError> {
-    let RowProblem { rows, constants, .. } = *problem;
+    let (rows, constants) = (problem.rows, problem.known.constants);
     let of_others = if forest.others().is_empty() {
         Vec::new()
     } else {

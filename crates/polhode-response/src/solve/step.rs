@@ -17,7 +17,7 @@ use super::answer::Answer;
 use super::problem::{Memory, RowProblem};
 use super::way::{self, STEP_MOST_ROWS, STEP_MOST_ROWS_IN_HEAPS};
 use super::without_friction::active_set;
-use crate::complementarity::{ContactSolution, WarmStart};
+use crate::complementarity::ContactSolution;
 use crate::delassus::Delassus;
 use crate::error::ResponseError;
 use crate::friction::{Blocks, BlocksSolution, FrictionSettings};
@@ -26,7 +26,6 @@ use crate::report::SolverStatus;
 use crate::sparse::{BodySettings, BodySolver, HeldForest};
 use crate::tolerances::EXACT_ENOUGH;
 use std::collections::BTreeMap;
-use std::ops::Range;
 
 /// Most sweeps of block Gauss-Seidel after all other methods of the solver have failed. The error that remains is part
 /// of the error estimate of a stretch of crowded events.
@@ -62,20 +61,12 @@ impl Clone for StepMemory {
 /// The rows of a group of contacts and joints over a step.
 #[derive(Debug, Clone)]
 pub struct StepRows<'a> {
-    /// Bodies and rows.
-    pub rows: &'a ContactProblem,
-    /// Those of the rows that are of joints.
-    pub joints: Range<usize>,
-    /// Rates without impulses, m/s.
-    pub constants: &'a [f64],
+    /// Rows and rates without impulses, m/s; it starts from the contacts that bore an impulse in the last step.
+    pub problem: RowProblem<'a>,
     /// Number of contacts.
     pub contacts: usize,
     /// The number, in the scene, of the first body: groups are told apart by it from step to step.
     pub group: Option<usize>,
-    /// The contacts that bore an impulse in the last step.
-    pub carried: &'a WarmStart,
-    /// The error of the constant terms by rounding, m/s.
-    pub noise_floor: f64,
 }
 
 impl StepMemory {
@@ -90,28 +81,23 @@ impl StepMemory {
     }
 
     /// The problem of some rows; `start` gives reactions of a similar problem, one for each row, where they are used.
-    pub fn problem<'a>(&'a mut self, rows: &StepRows<'a>, start: impl FnOnce() -> Option<Vec<f64>>) -> StepProblem<'a> {
-        let in_bodies = rows.group.filter(|_| way::is_in_bodies(rows.rows, rows.contacts));
-        let system = if let Some(first) = in_bodies {
+    pub fn problem<'a>(&'a mut self, of: StepRows<'a>, start: impl FnOnce() -> Option<Vec<f64>>) -> StepProblem<'a> {
+        let StepRows { problem, contacts, group } = of;
+        let (rows, constants) = (problem.rows, problem.known.constants);
+        let system = if let Some(first) = group.filter(|_| way::is_in_bodies(rows, contacts)) {
             System::Bodies { solver: self.solvers.entry(first).or_default(), start: start() }
-        } else if rows.rows.len() == rows.contacts + rows.joints.len() {
-            let problem = RowProblem {
-                joints: rows.joints.clone(),
-                start: Some(rows.carried),
-                noise_floor: rows.noise_floor,
-                ..RowProblem::new(rows.rows, rows.constants)
-            };
+        } else if rows.len() == contacts + problem.joints.len() {
             System::Pushes { problem, memory: &mut self.of_pushes }
-        } else if let Some(forest) = way::trees(rows.rows, rows.joints.clone()) {
+        } else if let Some(forest) = way::trees(rows, problem.joints) {
             let of_others = |start: Vec<f64>| forest.others().iter().map(|&row| start[row]).collect();
             let start = start().map(of_others);
-            System::Beside { delassus: forest.beside(rows.rows).delassus, forest, start }
+            System::Beside { delassus: forest.beside(rows).delassus, forest, start }
         } else {
-            System::Rows(rows.rows.delassus())
+            System::Rows(rows.delassus())
         };
         let settings = BodySettings { rounds_of_sweeps: self.rounds_of_sweeps, ..SETTINGS_IN_BODIES };
         let most_rows = if self.rounds_of_sweeps > 0 { STEP_MOST_ROWS_IN_HEAPS } else { STEP_MOST_ROWS };
-        StepProblem { rows: rows.rows, constants: rows.constants, system, settings, most_rows, factorisations: 0 }
+        StepProblem { rows, constants, system, settings, most_rows, factorisations: 0 }
     }
 }
 
@@ -222,11 +208,8 @@ impl StepProblem<'_> {
 /// When a number is not finite.
 #[cfg_attr(feature = "census", track_caller)]
 pub(super) fn solve(problem: &RowProblem<'_>, blocks: &Blocks) -> Result<Answer, ResponseError> {
-    let RowProblem { rows, constants, noise_floor, .. } = *problem;
-    let (contacts, carried) = (blocks.contacts(), &WarmStart::default());
-    let (joints, group) = (problem.joints.clone(), Some(0));
-    let rows = StepRows { rows, joints, constants, contacts, group, carried, noise_floor };
-    Ok(StepMemory::default().problem(&rows, || None).solve(blocks, |_| false)?.into())
+    let rows = StepRows { problem: problem.clone(), contacts: blocks.contacts(), group: Some(0) };
+    Ok(StepMemory::default().problem(rows, || None).solve(blocks, |_| false)?.into())
 }
 
 /// Takes the other answer if its residual is smaller.

@@ -1,7 +1,7 @@
 //! Rows that push and rows that hold.
 
 use super::answer::Answer;
-use super::problem::{Memory, RowProblem};
+use super::problem::{Memory, Question, RowProblem};
 use super::way::{self, DISPLACEMENT_IN_BODIES};
 use crate::complementarity::ContactSolution;
 use crate::error::ResponseError;
@@ -14,7 +14,7 @@ use crate::sparse::{BodySettings, BodySolver};
 /// By the active set: beside the trees of joints, or with the matrix of all rows.
 #[cfg_attr(feature = "census", track_caller)]
 pub(super) fn active_set(problem: &RowProblem<'_>, memory: &mut Memory) -> Result<ContactSolution, ResponseError> {
-    let RowProblem { rows, joints, constants, start, noise_floor, .. } = problem;
+    let RowProblem { rows, joints, known: Question { constants, start, noise_floor, .. } } = problem;
     let Memory { active_set, delassus } = memory;
     active_set.set_settings(SolverSettings { noise_floor: *noise_floor, ..SolverSettings::default() });
     let found = if let Some(forest) = way::trees(rows, joints.clone()) {
@@ -45,6 +45,6 @@ pub(super) fn displacements(problem: &RowProblem<'_>, accuracy: f64) -> Result<O
     let settings =
         BodySettings { tolerance: accuracy, acceptance: accuracy, rounds_of_sweeps: 1, ..BodySettings::default() };
     let system = (&mut BodySolver::default(), &settings);
-    let (solved, _) = blocks.solve_in_bodies(rows, problem.constants, None, system)?;
+    let (solved, _) = blocks.solve_in_bodies(rows, problem.known.constants, None, system)?;
     Ok((solved.report.status == SolverStatus::Solved).then(|| Answer::from(solved)))
 }

@@ -3,7 +3,6 @@
 use crate::cases::few;
 use crate::degenerate::{Small, small};
 use crate::scenes::{Noise, Row, Scene, pile, tower};
-use polhode_response::impact::{propagation, propagation_in_order};
 use polhode_response::{
     ComplementaritySolver, ContactProblem, ImpactLaw, ImpactOutcome, ImpactProblem, ImpactSettings, ImpactStatus,
     PulseExponent, SolverSettings, SolverStatus, single_contact_impulse, solve_complementarity,
@@ -350,13 +349,13 @@ fn propagation_in_another_order() {
     let (contacts, delassus, settings) = (&scene.problem, &delassus, &settings);
     let problem = ImpactProblem { contacts, delassus, u_before: &u, restitution: &[1.0; 2], settings };
     let mut solver = ComplementaritySolver::default();
-    let first = propagation_in_order(&problem, &mut solver, &[0, 1]).unwrap();
-    let second = propagation_in_order(&problem, &mut solver, &[1, 0]).unwrap();
-    assert_eq!(first, propagation(&problem, &mut solver).unwrap());
+    let first = ImpactLaw::Propagation.resolve_in_order(&problem, &mut solver, &[0, 1]).unwrap();
+    let second = ImpactLaw::Propagation.resolve_in_order(&problem, &mut solver, &[1, 0]).unwrap();
+    assert_eq!(first, ImpactLaw::Propagation.resolve(&problem, &mut solver).unwrap());
     assert_eq!(first.impulses, [second.impulses[1], second.impulses[0]]);
     assert_eq!((first.applications[0].row, second.applications[0].row), (0, 1));
     for bad in [&[0, 0][..], &[0], &[0, 2]] {
-        assert!(propagation_in_order(&problem, &mut solver, bad).is_err());
+        assert!(ImpactLaw::Propagation.resolve_in_order(&problem, &mut solver, bad).is_err());
     }
 }
 

@@ -2,7 +2,7 @@
 
 use polhode_response::{
     Ask, Blocks, ComplementaritySolver, ContactProblem, ImpactLaw, ImpactProblem, ImpactSettings, Law, Memory,
-    ResponseError, RowProblem, SolverSettings, solve, solve_complementarity,
+    Question, ResponseError, RowProblem, SolverSettings, solve, solve_complementarity,
 };
 
 /// A unit mass in space, without rotation.
@@ -68,7 +68,8 @@ fn the_noise_of_one_problem_is_not_that_of_the_next() {
     smooth.push_row(z).unwrap();
     smooth.push_row(x).unwrap();
     let mut memory = Memory::default();
-    let noisy = RowProblem { noise_floor: 1.0, ..RowProblem::new(&smooth, &[-1e-3, -2e-3]) };
+    let known = Question { constants: &[-1e-3, -2e-3], noise_floor: 1.0, ..Question::default() };
+    let noisy = RowProblem { rows: &smooth, joints: 0..0, known };
     let unmoved = solve(&noisy, Ask::Displacement { accuracy: 1e-12 }, &mut memory).unwrap();
     assert_eq!(unmoved.reactions, [0.0, 0.0]);
     let exact = RowProblem::new(&smooth, &[-1e-3, -2e-3]);

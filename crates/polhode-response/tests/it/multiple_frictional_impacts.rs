@@ -10,9 +10,9 @@ use crate::scenes::Noise;
 use polhode_response::Law;
 use polhode_response::friction::FrictionProblem;
 use polhode_response::{
-    CollisionMatrix, ComplementaritySolver, ContactProblem, ImpactLaw, ImpactProblem, ImpactSettings,
-    MultipleFrictionalImpact, MultipleImpact, MultipleImpactLaw, MultipleImpactSettings, MultipleImpactStatus,
-    RestitutionLaw, SingleFrictionalImpact,
+    CollisionMatrix, ComplementaritySolver, ContactProblem, ImpactLaw, ImpactProblem, ImpactSettings, ImpactStatus,
+    MultipleFrictionalImpact, MultipleImpact, MultipleImpactLaw, MultipleImpactSettings, RestitutionLaw,
+    SingleFrictionalImpact,
 };
 use proptest::prelude::*;
 
@@ -170,7 +170,7 @@ fn random_structure(seed: u64) -> Structure {
 }
 
 /// Impulses in the cones, velocities `u- + G p`, no approach, no rise of energy, and works that sum to its change.
-fn check(structure: &Structure, law: MultipleImpactLaw, single: RestitutionLaw) -> MultipleImpactStatus {
+fn check(structure: &Structure, law: MultipleImpactLaw, single: RestitutionLaw) -> ImpactStatus {
     let (contacts, outcome) = structure.strike(law, single);
     let after = contacts.velocities(&outcome.impulses).unwrap();
     let speeds = |u: &[f64]| u.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
@@ -184,7 +184,7 @@ fn check(structure: &Structure, law: MultipleImpactLaw, single: RestitutionLaw) 
     assert!(!outcome.energy_rises);
     let works: f64 = outcome.normal_work.iter().chain(&outcome.friction_work).sum();
     assert!((works - outcome.energy_change).abs() <= 1e-9 * work, "{works} {outcome:?}");
-    if outcome.status == MultipleImpactStatus::NotSolved {
+    if outcome.status == ImpactStatus::NotSolved {
         return outcome.status;
     }
     for (block, friction) in structure.frictions.iter().enumerate() {
@@ -224,8 +224,8 @@ fn random_impacts_are_solved() {
     let mut in_order = 0;
     for seed in 0..1000 {
         let status = check(&random_structure(seed), MultipleImpactLaw::Simultaneous, RestitutionLaw::Stronge);
-        assert_ne!(status, MultipleImpactStatus::NotSolved, "{seed}");
-        in_order += usize::from(status == MultipleImpactStatus::StruckInOrder);
+        assert_ne!(status, ImpactStatus::NotSolved, "{seed}");
+        in_order += usize::from(status == ImpactStatus::StruckInOrder);
     }
     println!("{in_order} in order");
     assert!(in_order <= 20, "{in_order}");
@@ -247,7 +247,7 @@ fn without_friction_it_is_the_reflection() {
         let reflected =
             reflect(&normals.iter().map(|&row| contacts.constant()[row]).collect::<Vec<_>>(), &entry, restitution);
         let Some(reflected) = reflected else { continue };
-        if outcome.status != MultipleImpactStatus::Separated {
+        if outcome.status != ImpactStatus::Separated {
             continue;
         }
         compared += 1;
@@ -278,7 +278,7 @@ fn reflect(u_before: &[f64], entry: &dyn Fn(usize, usize) -> f64, restitution: f
         settings: &settings,
     };
     let outcome = ImpactLaw::Reflection.resolve(&problem, &mut ComplementaritySolver::default()).unwrap();
-    (outcome.status == polhode_response::ImpactStatus::Separated).then_some(outcome.velocities_after)
+    (outcome.status == ImpactStatus::Separated).then_some(outcome.velocities_after)
 }
 
 /// Contacts that do not move each other are struck each by the law of a single contact, with all digits.
@@ -379,7 +379,7 @@ fn jam_beside_a_wall() {
         let fall = rod.problem.row_velocities(&[-1.0, 0.0, -9.81, 0.0, 0.0, 0.0]).unwrap();
         let outcome = impact.without_collision(&fall).unwrap();
         if friction < 1.0 {
-            assert_eq!((outcome.status, outcome.impulses), (MultipleImpactStatus::NoApproach, vec![0.0; 6]));
+            assert_eq!((outcome.status, outcome.impulses), (ImpactStatus::NoApproach, vec![0.0; 6]));
             continue;
         }
         let (k_nn, k_nt, k_tt) = (1.0 + 3.0 * cos * cos, -3.0 * sin * cos, 1.0 + 3.0 * sin * sin);
@@ -390,7 +390,7 @@ fn jam_beside_a_wall() {
         assert!(outcome.velocities_after[..3].iter().all(|u| u.abs() < 1e-10), "{outcome:?}");
         assert!(outcome.energy_change < 0.0);
         // And resolve() says that nothing approaches.
-        assert_eq!(impact.resolve().unwrap().status, MultipleImpactStatus::NoApproach);
+        assert_eq!(impact.resolve().unwrap().status, ImpactStatus::NoApproach);
     }
 }
 

@@ -2,11 +2,11 @@
 //! problem is refused, or said to be unsolved, never answered.
 
 use polhode_response::friction::ContactStatus;
-use polhode_response::solve::impact::{BlockImpact, Blow, RowImpact, strike_blocks, strike_rows};
+use polhode_response::solve::impact::{BlockLaw, Blow, Impact, Strikes, strike};
 use polhode_response::solve::removal::{Limits, remove};
 use polhode_response::{
-    Answer, Ask, Blocks, ContactProblem, ImpactLaw, ImpactSettings, Law, Memory, MultipleImpactLaw,
-    MultipleImpactStatus, Resistance, ResistedPart, ResponseError, RestitutionLaw, RowProblem, SolverStatus, solve,
+    Answer, Ask, Blocks, ContactProblem, ImpactLaw, ImpactSettings, ImpactStatus, Law, Memory, MultipleImpactLaw,
+    Question, Resistance, ResistedPart, ResponseError, RestitutionLaw, RowProblem, SolverStatus, solve,
 };
 
 /// Gravity, m/s^2.
@@ -42,7 +42,8 @@ fn tilted(problem: &ContactProblem, slope: f64) -> (Vec<f64>, Vec<f64>) {
 }
 
 fn ask(problem: &ContactProblem, blocks: &Blocks, constants: &[f64], ask: Ask<'_>) -> Result<Answer, ResponseError> {
-    solve(&RowProblem { blocks: Some(blocks), ..RowProblem::new(problem, constants) }, ask, &mut Memory::default())
+    let known = Question { blocks: Some(blocks), constants, ..Question::default() };
+    solve(&RowProblem { rows: problem, joints: 0..0, known }, ask, &mut Memory::default())
 }
 
 /// On a slope below its friction the box stays: at rest, at an instant and as a certificate, with forces in the cones
@@ -115,25 +116,26 @@ fn a_box_that_falls_flat_leaves_at_its_restitution() {
     let problem = on_two_feet(2.0, 1.0, 0.0);
     let before = [-1.0, -1.0, 0.1, 0.1];
     let blocks = feet(|| Law::Cone { rows: 2, friction: 0.5 });
-    let impact = BlockImpact {
-        rows: &problem,
+    let by = BlockLaw {
         blocks: &blocks,
-        before: &before,
+        blow: Blow::Collision,
         noise_floor: 0.0,
-        restitution: &[0.5, 0.5],
         stand_for_several: &[],
         law: MultipleImpactLaw::default(),
         single: RestitutionLaw::default(),
         threshold: None,
     };
-    let struck = strike_blocks(&impact, Blow::Collision).unwrap();
+    let (memory, law) = (&mut Memory::default(), Strikes::Blocks(by));
+    let impact = Impact { rows: &problem, before: &before, restitution: &[0.5, 0.5], law };
+    let struck = strike(&impact, memory).unwrap();
     for restitution in [&[0.5][..], &[0.5; 3]] {
-        let refused = strike_blocks(&BlockImpact { restitution, ..impact }, Blow::Collision);
+        let refused = strike(&Impact { restitution, ..impact }, memory);
         assert!(matches!(refused, Err(ResponseError::Length { expected: 2, .. })), "{refused:?}");
     }
-    let refused = strike_blocks(&impact, Blow::Jam(&[0.0; 3]));
+    let law = Strikes::Blocks(BlockLaw { blow: Blow::Jam(&[0.0; 3]), ..by });
+    let refused = strike(&Impact { law, ..impact }, memory);
     assert!(matches!(refused, Err(ResponseError::Length { expected: 4, found: 3, .. })), "{refused:?}");
-    assert_eq!(struck.outcome.status, MultipleImpactStatus::Separated);
+    assert_eq!(struck.outcome.status, ImpactStatus::Separated);
     let after: Vec<f64> = before.iter().zip(&struck.changes).map(|(before, change)| before + change).collect();
     for (found, expected) in after.iter().zip([0.5, 0.5, 0.0, 0.0]) {
         assert!((found - expected).abs() < 1e-9, "{after:?}");
@@ -142,16 +144,9 @@ fn a_box_that_falls_flat_leaves_at_its_restitution() {
     for x in [-1.0, 1.0] {
         smooth.push_row(&[(0, &[0.0, 1.0, x])]).unwrap();
     }
-    let settings = ImpactSettings::default();
-    let impact = RowImpact {
-        rows: &smooth,
-        before: &before[..2],
-        restitution: &[0.5, 0.5],
-        law: ImpactLaw::Reflection,
-        order: None,
-        settings: &settings,
-    };
-    let outcome = strike_rows(&impact, &mut Memory::default()).unwrap();
+    let law = Strikes::Rows { law: ImpactLaw::Reflection, order: None, settings: &ImpactSettings::default() };
+    let impact = Impact { rows: &smooth, before: &before[..2], restitution: &[0.5, 0.5], law };
+    let outcome = strike(&impact, memory).unwrap().outcome;
     assert!(outcome.velocities_after.iter().all(|u| (u - 0.5).abs() < 1e-12), "{outcome:?}");
 }
 

@@ -10,8 +10,7 @@ use crate::free_bodies::{Vector, cross, free_bodies, random_vector, tangents, un
 use crate::scenes::Noise;
 use polhode_response::friction::{FrictionProblem, FrictionSettings, solve_friction};
 use polhode_response::{
-    ContactProblem, MultipleFrictionalImpact, MultipleImpactLaw, MultipleImpactSettings, MultipleImpactStatus,
-    SolverStatus,
+    ContactProblem, ImpactStatus, MultipleFrictionalImpact, MultipleImpactLaw, MultipleImpactSettings, SolverStatus,
 };
 use polhode_response::{Law, Resistance};
 use proptest::prelude::*;
@@ -213,7 +212,7 @@ proptest! {
             single: polhode_response::RestitutionLaw::default(), settings: &settings,
         };
         let outcome = impact.resolve().unwrap();
-        prop_assert_ne!(outcome.status, MultipleImpactStatus::NotSolved);
+        prop_assert_ne!(outcome.status, ImpactStatus::NotSolved);
         let before = contacts.constant();
         let after = contacts.velocities(&outcome.impulses).unwrap();
         let terms = outcome.impulses.iter().zip(before.iter().zip(&after)).map(|(p, (u, v))| 0.5 * p * (u + v));
@@ -298,7 +297,7 @@ proptest! {
             settings: &settings,
         };
         let outcome = impact.resolve().unwrap();
-        prop_assert!(outcome.status != MultipleImpactStatus::NotSolved, "{turned:e} {:?} {resists:?} \
+        prop_assert!(outcome.status != ImpactStatus::NotSolved, "{turned:e} {:?} {resists:?} \
             {outcome:?}", contacts.constant());
         let after = contacts.velocities(&outcome.impulses).unwrap();
         let terms = outcome.impulses.iter().zip(contacts.constant().iter().zip(&after));

@@ -240,7 +240,7 @@ impl Accounts {
         let (pair, value, allowed) = ((0, 0), outcome.residual, f64::INFINITY);
         self.measures.residual.note(Measure { t, pair, value, allowed });
         match outcome.status {
-            ImpactStatus::NoApproach | ImpactStatus::Separated => {}
+            ImpactStatus::NoApproach | ImpactStatus::Separated | ImpactStatus::StruckInOrder => {}
             ImpactStatus::StoppedAtThreshold => self.warn_of_tolerated(
                 t,
                 format!(

@@ -18,18 +18,18 @@ use crate::collision::contact_modes::ContactModes;
 use crate::collision::friction_mode::FrictionMode;
 use crate::collision::turn::Turn;
 use crate::identity::contact_id::ContactId;
-use crate::joints::joint_friction::MOST_ROUNDS_OF_BEARINGS;
 use crate::model::{Loads, Model, tolerances};
 use crate::rows::assembly::{Assembly, TangentRow};
 use crate::rows::friction_blocks::{part_of, push_contact};
 use crate::rows::frictional_contact::{FrictionalContact, Sliding};
 use crate::rows::rotation_row::RotationRow;
 use crate::scene::FrictionEllipse;
+use crate::solve::accelerations::with_loads_of_bearings;
 use crate::solve::cone_violation::{ConeViolation, RubbingForce, largest_violation};
 use crate::solve::reactions::Reactions;
 use polhode_contact::ContactKinematics;
 use polhode_dynamics::BodyState;
-use polhode_response::{Answer, Ask, Blocks, Memory, Resistance, ResponseError, RowProblem};
+use polhode_response::{Answer, Ask, Blocks, Memory, Question, Resistance, ResponseError};
 use polhode_spatial::DVec3;
 use std::ops::Range;
 
@@ -151,8 +151,9 @@ pub(super) fn solve(
     let mut constants = assembly.acceleration_constants(model, t, states, &free, kinematics)?;
     constants.truncate(equations);
     let laws = Laws::new(&assembly, (contacts.len(), friction));
+    let known = Question { blocks: Some(&laws.blocks), ..Question::default() };
     let Answer { reactions: forces, on_bodies, beyond_cones, .. } =
-        with_loads_of_bearings(&mut assembly, constants, &laws.blocks, memory)?;
+        with_loads_of_bearings(&mut assembly, &mut constants, (known, Ask::Stage), memory)?;
     let of_contacts = if beyond_cones { laws.violation(&forces) } else { None };
     let violation = ConeViolation::larger(of_contacts, ConeViolation::of_bearings(&assembly));
     let slips = friction.iter().filter_map(|contact| {
@@ -171,29 +172,6 @@ pub(super) fn solve(
         reactions: Reactions::of(&assembly, contacts.len(), &forces),
         sums: on_bodies.map(|loads| assembly.split(&loads).collect()),
     })
-}
-
-/// The forces with these constant terms of the rows that are held, found again until the loads of bearings stay.
-///
-/// # Errors
-/// When a number is not finite.
-fn with_loads_of_bearings(
-    assembly: &mut Assembly,
-    mut constants: Vec<f64>,
-    blocks: &Blocks,
-    memory: &mut Memory,
-) -> Result<Answer, ResponseError> {
-    let mut rounds = 0;
-    loop {
-        let (joints, blocks) = (assembly.joint_rows(), Some(blocks));
-        let problem = RowProblem { joints, blocks, ..RowProblem::new(&assembly.problem, &constants) };
-        let found = polhode_response::solve(&problem, Ask::Stage, memory)?;
-        rounds += 1;
-        if rounds == MOST_ROUNDS_OF_BEARINGS || !assembly.press_by_loads(&found.reactions, 1.0)? {
-            return Ok(found);
-        }
-        assembly.press(&mut constants, 1.0);
-    }
 }
 
 /// The next row of each mode: rows along tangents that stick, of rotations that are held, along which contacts slide,

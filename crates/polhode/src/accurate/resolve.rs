@@ -22,7 +22,7 @@ use crate::report::event::{Event, EventKind};
 use crate::rows::groups::{Group, groups};
 use crate::scene::ImpactLaw;
 use crate::solve::frictional_impact::Restitution;
-use crate::solve::impact::{Struck, impulse_event, raised_energy, strike};
+use crate::solve::impact::{Struck, impulse_event, raised_energy, strike_group};
 use crate::solve::open_loads;
 use crate::solve::overlap::is_excess;
 use crate::solve::projection::{self, Projected};
@@ -181,7 +181,7 @@ impl Resolution<'_> {
             self.core.accounts.choose(self.instant.t, format!("{STRUCK_IN_ORDER} {names} depends on their order"));
         }
         let settings = ImpactSettings::default();
-        let struck = strike(
+        let struck = strike_group(
             &self.core.model,
             &mut self.motions.states,
             group,

@@ -16,7 +16,7 @@ use crate::report::observer::Observer;
 use crate::rows::groups::{Group, groups};
 use crate::snapshot::parts::{restored_id, save_contact};
 use crate::snapshot::{SnapshotError, content};
-use crate::solve::impact::{Struck, impulse_event, strike};
+use crate::solve::impact::{Struck, impulse_event, strike_group};
 use crate::tier::core::Core;
 use crate::tier::fixed_steps::{Continues, SteppedBodies, accelerations_under, contacts_within, next_step_end};
 use crate::tier::free_stage::{self, Ends};
@@ -130,7 +130,8 @@ impl MicroCollisionEngine {
         let settings =
             ImpactSettings { threshold: PROPAGATION_THRESHOLD, limit: MOST_COLLISIONS, ..ImpactSettings::default() };
         let law = core.settings.impact;
-        let struck = strike(&core.model, &mut self.bodies.states, group, touches, law, &settings, &mut core.memory);
+        let struck =
+            strike_group(&core.model, &mut self.bodies.states, group, touches, law, &settings, &mut core.memory);
         let struck = struck.map_err(|source| SimulationError::of_response(core.t, source))?;
         // Sequences without end are what supports a body on several corners: their end at the threshold is no news.
         let mut outcome = struck.outcome.clone();

@@ -204,7 +204,7 @@ mod tests {
     use crate::scene::{
         Body, Geometry, ImpactLaw, Interpolation, MotionTable, PrescribedMotion, SampledOrientations, Scene,
     };
-    use crate::solve::impact::strike;
+    use crate::solve::impact::strike_group;
     use polhode_contact::Shape;
     use polhode_dynamics::Flight;
     use polhode_response::Memory;
@@ -334,7 +334,7 @@ mod tests {
             let before = model.energies(BODY, &states[BODY]).0;
             let law = ImpactLaw::Simultaneous;
             let solver = &mut Memory::default();
-            let outcome = strike(&model, &mut states, &group, &touches, law, &settings, solver)?.outcome;
+            let outcome = strike_group(&model, &mut states, &group, &touches, law, &settings, solver)?.outcome;
             let gained = model.energies(BODY, &states[BODY]).0 - before;
             let work = -outcome.impulses[0] * term;
             assert!(

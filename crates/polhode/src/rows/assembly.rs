@@ -18,7 +18,7 @@ use crate::rows::rotation_row::RotationRow;
 use polhode_contact::{ContactGeometry, ContactKinematics, TangentialKinematics};
 use polhode_dynamics::BodyState;
 use polhode_response::solve::held::{Independence, Supports};
-use polhode_response::{ContactProblem, ResponseError};
+use polhode_response::{Answer, Ask, ContactProblem, Memory, Question, ResponseError, RowProblem, solve};
 use polhode_spatial::DVec3;
 use std::borrow::Cow;
 use std::ops::Range;
@@ -307,6 +307,24 @@ impl Assembly {
     /// The rows of bilateral constraints.
     pub(crate) fn joint_rows(&self) -> Range<usize> {
         self.contacts..self.first_tangent()
+    }
+
+    /// The rows as the problem of which this is known.
+    pub(crate) fn with<'a>(&'a self, known: Question<'a>) -> RowProblem<'a> {
+        RowProblem { rows: &self.problem, joints: self.joint_rows(), known }
+    }
+
+    /// The reactions of the rows: forces (N), impulses (N s), or what displaces bodies.
+    ///
+    /// # Errors
+    /// When a list has another length than there are rows, or a number is not finite.
+    pub(crate) fn answer(
+        &self,
+        known: Question<'_>,
+        ask: Ask<'_>,
+        memory: &mut Memory,
+    ) -> Result<Answer, ResponseError> {
+        solve(&self.with(known), ask, memory)
     }
 
     /// The constraint of a row.

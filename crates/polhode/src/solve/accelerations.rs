@@ -23,7 +23,7 @@ use crate::solve::cone_violation::RubbingForce;
 use polhode_dynamics::BodyState;
 use polhode_response::friction::ContactStatus;
 use polhode_response::solve::instant::{SLIDING_ROUNDING, STICKING_ACCELERATION};
-use polhode_response::{Answer, Ask, Blocks, Choice, Memory, ResponseError, RowProblem, WarmStart, solve};
+use polhode_response::{Answer, Ask, Blocks, Choice, Memory, Question, ResponseError, WarmStart};
 use polhode_spatial::DVec3;
 use std::collections::BTreeMap;
 
@@ -159,22 +159,8 @@ impl Accelerations {
         let has_joints = !assembly.bilaterals().is_empty();
         let noise_floor = if has_joints { tolerances::acceleration_rounding(model, states, bodies) } else { 0.0 };
         let start = WarmStart::new((0..contacts.len()).filter(|&place| contacts[place].hold == Hold::Held).collect());
-        let mut rounds = 0;
-        let mut solved = loop {
-            let problem = RowProblem {
-                blocks: Some(&blocks),
-                joints: assembly.joint_rows(),
-                start: Some(&start),
-                noise_floor,
-                ..RowProblem::new(&assembly.problem, &constants)
-            };
-            let found = solve(&problem, ask, memory)?;
-            rounds += 1;
-            if rounds == MOST_ROUNDS_OF_BEARINGS || !assembly.press_by_loads(&found.reactions, 1.0)? {
-                break found;
-            }
-            assembly.press(&mut constants, 1.0);
-        };
+        let known = Question { blocks: Some(&blocks), start: Some(&start), noise_floor, ..Question::default() };
+        let mut solved = with_loads_of_bearings(&mut assembly, &mut constants, (known, ask), memory)?;
         let of_bodies = with_free(assembly.problem.response(&solved.reactions)?, &free);
         let assembly = assembly.with_supports(model);
         solved.reactions = assembly.least(&solved.reactions)?.into_owned();
@@ -207,6 +193,26 @@ impl Accelerations {
             assembly,
         })
     }
+}
+
+/// The forces of rows, found again until the loads of bearings stay: these change the constant terms.
+///
+/// # Errors
+/// When a number is not finite.
+pub(crate) fn with_loads_of_bearings(
+    assembly: &mut Assembly,
+    constants: &mut [f64],
+    (known, ask): (Question<'_>, Ask<'_>),
+    memory: &mut Memory,
+) -> Result<Answer, ResponseError> {
+    for _ in 1..MOST_ROUNDS_OF_BEARINGS {
+        let found = assembly.answer(Question { constants, ..known }, ask, memory)?;
+        if !assembly.press_by_loads(&found.reactions, 1.0)? {
+            return Ok(found);
+        }
+        assembly.press(constants, 1.0);
+    }
+    assembly.answer(Question { constants, ..known }, ask, memory)
 }
 
 /// What is asked of the rows between bodies in these states.

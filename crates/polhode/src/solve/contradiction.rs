@@ -13,8 +13,7 @@ use crate::error::SimulationError;
 use crate::model::Model;
 use crate::rows::assembly::Assembly;
 use polhode_dynamics::BodyState;
-use polhode_response::ResponseError;
-use polhode_response::solve::held::hold_all;
+use polhode_response::{Ask, Memory, Question, ResponseError};
 
 /// A residual of accelerations beyond this fraction of the largest term is a contradiction (no unit, 1e-9 to 1e-4): far
 /// above rounding, and far below what two different motions ask for.
@@ -55,7 +54,8 @@ fn contradicted(model: &Model, t: f64, states: &[BodyState], bodies: &[usize]) -
     if largest == 0.0 {
         return Ok(None);
     }
-    let left = hold_all(&assembly.problem, &constants)?.left;
+    let known = Question { constants: &constants, ..Question::default() };
+    let left = assembly.answer(known, Ask::HoldAll, &mut Memory::default())?.velocities;
     let worst = left.iter().fold(0.0_f64, |most, left| most.max(left.abs()));
     if worst <= CONTRADICTION * largest {
         return Ok(None);

@@ -22,9 +22,9 @@ use crate::rows::resisted_rotation::{self, with_rotations};
 use crate::scene::{FrictionEllipse, ImpactLaw};
 use crate::solve::cone_violation::{ConeViolation, RubbingForce, largest_violation};
 use polhode_dynamics::BodyState;
-use polhode_response::impact::{Application, ImpactOutcome, ImpactStatus};
-use polhode_response::solve::impact::{BlockImpact, Blow, StruckBlocks, strike_blocks};
-use polhode_response::{Blocks, MultipleImpact, MultipleImpactStatus, ResponseError, RestitutionLaw};
+use polhode_response::impact::{ImpactOutcome, ImpactStatus};
+use polhode_response::solve::impact::{BlockLaw, Blow, Impact, Strikes, Struck, strike};
+use polhode_response::{Blocks, Memory, ResponseError, RestitutionLaw};
 use polhode_spatial::CompensatedSum;
 
 /// An impact with friction.
@@ -105,36 +105,52 @@ pub(crate) fn solve(
     let mirrored: Vec<usize> = (0..contacts.len())
         .filter(|&contact| contact_kinematics::mirrored(model, states, contacts[contact].id).is_some())
         .collect();
-    let impact = BlockImpact {
-        rows: &assembly.problem,
-        blocks: &blocks,
-        before: &before,
-        noise_floor,
-        restitution: &restitution,
-        stand_for_several: &mirrored,
-        law: law.of_contacts_with_friction(model.scene.method().pulse_exponent.unwrap_or_default()),
-        single: single_law(model, law),
-        threshold: if let Cause::Collision(threshold) = cause { Some(threshold) } else { None },
-    };
     let blow = match &accelerations {
         Some(accelerations) => Blow::Jam(accelerations),
         None if are_micro_collisions(model, contacts) => Blow::MicroCollision,
         None => Blow::Collision,
     };
-    let StruckBlocks { reactions, velocities, changes, outcome, .. } = strike_blocks(&impact, blow)?;
-    let by_friction: f64 = outcome.friction_work.iter().sum();
-    let violation = violation_of(&assembly, &frictional, &reactions);
+    let by = BlockLaw {
+        blocks: &blocks,
+        blow,
+        noise_floor,
+        stand_for_several: &mirrored,
+        law: law.of_contacts_with_friction(model.scene.method().pulse_exponent.unwrap_or_default()),
+        single: single_law(model, law),
+        threshold: if let Cause::Collision(threshold) = cause { Some(threshold) } else { None },
+    };
+    let impact =
+        Impact { rows: &assembly.problem, before: &before, restitution: &restitution, law: Strikes::Blocks(by) };
+    let struck = strike(&impact, &mut Memory::default())?;
+    let violation = violation_of(&assembly, &frictional, &struck.outcome.impulses);
     // Contacts of the cone problem are at zero to its residual: the energy is that of what the impulses really do. They
     // act along the rows. Where curves are nearly parallel, the rate of their separation is less exact than these.
     for (velocity, touch) in before.iter_mut().zip(contacts) {
         *velocity = rate_of_separation(model, states, touch);
     }
-    let works = reactions.iter().zip(&changes).zip(&before).map(|((p, given), before)| p * (before + 0.5 * given));
+    Ok(FrictionalImpact { violation, ..impact_of(assembly, &before, struck) })
+}
+
+/// The impact at rows that moved at `before` (m/s): of contacts and pivots, of tangents and rotations.
+fn impact_of(assembly: Assembly, before: &[f64], struck: Struck) -> FrictionalImpact {
+    let Struck { mut outcome, changes, friction_work, energy_rises, .. } = struck;
+    let first = assembly.first_tangent();
+    let of_first = outcome.impulses.iter().take(first).copied().collect();
+    let reactions = std::mem::replace(&mut outcome.impulses, of_first);
+    let works = reactions.iter().zip(&changes).zip(before).map(|((p, given), before)| p * (before + 0.5 * given));
     let energy_change = works.collect::<CompensatedSum>().value();
-    let friction_work_j = share_of_friction(by_friction, energy_change);
-    let rows = StruckRows { reactions, velocities_after: velocities, energy_change, friction_work_j };
-    let struck = impact_of(assembly, contacts.len(), &outcome, rows);
-    Ok(FrictionalImpact { violation, ..struck })
+    let friction_work_j = share_of_friction(friction_work, energy_change);
+    outcome.energy_change = energy_change - friction_work_j;
+    outcome.velocities_after.truncate(first);
+    let restitution = match outcome.status {
+        _ if energy_rises => Restitution::RaisesEnergy,
+        ImpactStatus::RestitutionLowered => Restitution::Lowered,
+        _ => Restitution::Full,
+    };
+    if matches!(outcome.status, ImpactStatus::StruckInOrder | ImpactStatus::RestitutionLowered) {
+        outcome.status = ImpactStatus::Separated;
+    }
+    FrictionalImpact { assembly, outcome, reactions, friction_work_j, restitution, violation: None }
 }
 
 /// Whether no contact approaches faster than a micro-collision, where there are any.
@@ -171,45 +187,6 @@ fn take_out_rounding(velocities: &mut [f64], rounding: f64) {
     for velocity in velocities.iter_mut().filter(|velocity| velocity.abs() <= rounding) {
         *velocity = 0.0;
     }
-}
-
-/// What an impact did to the rows of an assembly.
-#[derive(Debug)]
-struct StruckRows {
-    reactions: Vec<f64>,
-    velocities_after: Vec<f64>,
-    /// J.
-    energy_change: f64,
-    /// J.
-    friction_work_j: f64,
-}
-
-/// The impact of the first rows of an assembly, those of `contacts`, and of its tangents, pivots and rotations.
-fn impact_of(assembly: Assembly, contacts: usize, struck: &MultipleImpact, rows: StruckRows) -> FrictionalImpact {
-    let StruckRows { reactions, velocities_after, energy_change, friction_work_j } = rows;
-    let first = assembly.first_tangent();
-    let applications = (0..contacts).filter(|&row| reactions[row] != 0.0).map(|row| Application {
-        row,
-        impulse: reactions[row],
-        energy_change: struck.normal_work[row] + struck.friction_work[row],
-    });
-    let applications = applications.collect();
-    let outcome = ImpactOutcome {
-        applications,
-        finishing: Vec::new(),
-        velocities_after: velocities_after.into_iter().take(first).collect(),
-        status: status_of(struck.status),
-        energy_change: energy_change - friction_work_j,
-        solves: struck.solves,
-        residual: struck.residual,
-        impulses: reactions.iter().take(first).copied().collect(),
-    };
-    let restitution = match struck.status {
-        _ if struck.energy_rises => Restitution::RaisesEnergy,
-        MultipleImpactStatus::RestitutionLowered => Restitution::Lowered,
-        _ => Restitution::Full,
-    };
-    FrictionalImpact { assembly, outcome, reactions, friction_work_j, restitution, violation: None }
 }
 
 /// How far impulses of all rows are from Coulomb's law.
@@ -255,16 +232,4 @@ fn blocks_of(
     }
     blocks.hold(contacts.len()..assembly.first_tangent());
     Ok((blocks, before))
-}
-
-/// The status as impacts without friction state it; [`Restitution`] says whether restitution was lowered.
-const fn status_of(status: MultipleImpactStatus) -> ImpactStatus {
-    match status {
-        MultipleImpactStatus::NoApproach => ImpactStatus::NoApproach,
-        MultipleImpactStatus::Separated
-        | MultipleImpactStatus::StruckInOrder
-        | MultipleImpactStatus::RestitutionLowered => ImpactStatus::Separated,
-        MultipleImpactStatus::StoppedAtThreshold => ImpactStatus::StoppedAtThreshold,
-        MultipleImpactStatus::NotSolved => ImpactStatus::NotSolved,
-    }
 }

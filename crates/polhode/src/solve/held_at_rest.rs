@@ -9,7 +9,7 @@ use crate::model::{Loads, Model};
 use crate::rows::assembly::Assembly;
 use crate::rows::frictional_contact::FrictionalContact;
 use polhode_dynamics::BodyState;
-use polhode_response::{Ask, Memory, ResponseError, RowProblem, SolverStatus, solve};
+use polhode_response::{Ask, Memory, Question, ResponseError, SolverStatus};
 use polhode_spatial::DVec3;
 
 /// Forces on body A of contacts, in their order, that hold bodies at rest.
@@ -40,8 +40,8 @@ impl HeldAtRest {
         let mut assembly = Assembly::new(model, states, bodies, rows)?;
         let blocks = blocks_of(&mut assembly, states, &frictional)?;
         let FreeMotion { free, constants } = FreeMotion::of(&assembly, model, (t, states), contacts, loads)?;
-        let problem = RowProblem { blocks: Some(&blocks), ..RowProblem::new(&assembly.problem, &constants) };
-        let held = solve(&problem, Ask::Balance { free: &free }, &mut Memory::default())?;
+        let known = Question { blocks: Some(&blocks), constants: &constants, ..Question::default() };
+        let held = assembly.answer(known, Ask::Balance { free: &free }, &mut Memory::default())?;
         if held.report.status != SolverStatus::Solved {
             return Ok(None);
         }

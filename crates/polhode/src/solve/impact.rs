@@ -19,7 +19,7 @@ use crate::solve::reactions::Reactions;
 use polhode_contact::ContactGeometry;
 use polhode_dynamics::BodyState;
 use polhode_response::impact::{Application, ImpactOutcome, ImpactSettings, ImpactStatus};
-use polhode_response::solve::impact::{RowImpact, strike_rows};
+use polhode_response::solve::impact::{Impact, Strikes, strike};
 use polhode_response::solve::way;
 use polhode_response::{Memory, ResponseError, SolverSettings};
 use polhode_spatial::{DVec3, SplitMix64};
@@ -105,7 +105,7 @@ const LEFT_APPROACHING: f64 = 1e-10;
 ///
 /// # Errors
 /// When the problem is not finite.
-pub(crate) fn strike(
+pub(crate) fn strike_group(
     model: &Model,
     states: &mut [BodyState],
     group: &Group,
@@ -133,15 +133,9 @@ pub(crate) fn strike(
     let with_noise = ImpactSettings { solver: SolverSettings { noise_floor, ..settings.solver }, ..*settings };
     let mut outcome = ImpactOutcome::default();
     for settings in [settings, &with_noise] {
-        let impact = RowImpact {
-            rows: &assembly.problem,
-            before: &before,
-            restitution: &restitution,
-            law: row_law,
-            order: order.as_deref(),
-            settings,
-        };
-        outcome = strike_rows(&impact, memory)?;
+        let by = Strikes::Rows { law: row_law, order: order.as_deref(), settings };
+        let impact = Impact { rows: &assembly.problem, before: &before, restitution: &restitution, law: by };
+        outcome = strike(&impact, memory)?.outcome;
         if outcome.status != ImpactStatus::NotSolved {
             let reactions = Reactions::of(&assembly, members.len(), &outcome.impulses);
             if reactions.apply_without_gain(model, states, (&group.bodies, geometries(&members))) {
@@ -160,7 +154,7 @@ pub(crate) fn strike(
     Ok(Struck::new(&assembly, members.len(), outcome, &impulses))
 }
 
-/// [`strike`] where contacts have friction; also where they jam. Of pairs with many contacts only some are struck
+/// [`strike_group`] where contacts have friction; also where they jam. Of pairs with many contacts only some are struck
 /// (`many_contacts.rs`).
 ///
 /// # Errors

@@ -8,8 +8,7 @@ use crate::joints::bilateral::{Bilateral, Reaction};
 use crate::model::{Loads, Model};
 use crate::rows::assembly::Assembly;
 use polhode_dynamics::BodyState;
-use polhode_response::ResponseError;
-use polhode_response::solve::held::hold;
+use polhode_response::{Ask, Memory, Question, ResponseError};
 
 /// The reactions of a group of bodies.
 #[derive(Debug)]
@@ -33,7 +32,8 @@ impl JointReactions {
         let assembly = Assembly::new(model, states, bodies, std::iter::empty())?;
         let free = assembly.free_accelerations(model, states, loads);
         let constants = assembly.acceleration_constants(model, t, states, &free, std::iter::empty())?;
-        let forces = hold(&assembly.problem, assembly.joint_rows(), &constants)?;
+        let known = Question { constants: &constants, ..Question::default() };
+        let forces = assembly.answer(known, Ask::Hold, &mut Memory::default())?.reactions;
         Ok(Self { assembly, forces })
     }
 

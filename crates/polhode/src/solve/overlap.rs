@@ -21,7 +21,7 @@ use crate::rows::assembly::{Assembly, largest_change};
 use crate::rows::groups::groups;
 use polhode_contact::ContactGeometry;
 use polhode_dynamics::BodyState;
-use polhode_response::{Ask, Memory, ResponseError, RowProblem, SolverStatus, solve};
+use polhode_response::{Ask, Memory, Question, ResponseError, SolverStatus};
 use polhode_spatial::{DVec3, Pose, Rotation};
 
 /// Most rounds. Each squares the remaining penetration relative to the size, so that the third reaches rounding even
@@ -194,10 +194,8 @@ fn move_out(
         let separations = assembly.gaps(members.iter().map(|row| row.geometry.separation));
         let roundings = members.iter().map(|row| tolerances::rounding(model, states, row.id.a, row.id.b));
         let noise_floor = LEFT_ROUNDING * roundings.fold(f64::INFINITY, f64::min);
-        let (joints, constants) = (assembly.joint_rows(), &separations);
-        let problem = RowProblem { joints, noise_floor, ..RowProblem::new(&assembly.problem, constants) };
-        let asked = Ask::Displacement { accuracy: accuracy(model, &members) };
-        let found = solve(&problem, asked, memory)?;
+        let known = Question { constants: &separations, noise_floor, ..Question::default() };
+        let found = assembly.answer(known, Ask::Displacement { accuracy: accuracy(model, &members) }, memory)?;
         fallbacks += u64::from(found.report.status != SolverStatus::Solved);
         let response = assembly.problem.response(&found.reactions)?;
         let share = share_of_move(model, (&members, open_joint), assembly.split(&response));

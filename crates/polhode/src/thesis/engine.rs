@@ -22,7 +22,7 @@ use crate::rows::groups::{Group, groups};
 use crate::scene::{ContactMethod, Response};
 use crate::snapshot::parts::save_contact;
 use crate::snapshot::{SnapshotError, content};
-use crate::solve::impact::{impulse_event, strike};
+use crate::solve::impact::{impulse_event, strike_group};
 use crate::solve::reactions::support;
 use crate::tier::core::Core;
 use crate::tier::error_estimate::{EVERY, ErrorEstimate};
@@ -33,10 +33,7 @@ use crate::tier::{Reached, Tier};
 use polhode_dynamics::BodyState;
 use polhode_dynamics::field::Wrench;
 use polhode_response::impact::{ImpactOutcome, ImpactSettings};
-use polhode_response::least_force::{LeastForceStage, least_force};
-use polhode_response::{
-    Ask, ResponseError, RowProblem, SolverReport, SolverSettings, SolverStatus, guesses, heuristic, solve,
-};
+use polhode_response::{Ask, LeastForceStage, Question, ResponseError, SolverSettings, SolverStatus};
 use polhode_spatial::DVec3;
 
 /// A contact counts as resting if its rate of separation is at most the speed that gravity gives a body in this many
@@ -200,7 +197,7 @@ impl ThesisEngine {
             let solver = SolverSettings::default();
             let settings = ImpactSettings { threshold: PROPAGATION_THRESHOLD, limit: MOST_COLLISIONS, solver };
             let law = core.settings.impact;
-            strike(model, states, group, touches, law, &settings, &mut core.memory).map(|struck| struck.outcome)
+            strike_group(model, states, group, touches, law, &settings, &mut core.memory).map(|struck| struck.outcome)
         };
         outcome.map(Some).map_err(|source| SimulationError::of_response(core.t, source))
     }
@@ -387,88 +384,60 @@ fn group_forces(
     let free = assembly.free_accelerations(model, states, &loads);
     let kinematics = contacts.iter().map(|touch| (touch.id, &touch.kinematics));
     let b = assembly.acceleration_constants(model, core.t, states, &free, kinematics)?;
-    let delassus = assembly.problem.delassus();
-    let (forces, bound) = match core.settings.contact {
-        ContactMethod::LeastForce => {
-            let solution = least_force(&delassus, &b, &SolverSettings::default())?;
-            let found = solution.stage != LeastForceStage::NoForces;
-            guessed_or_exact(core, &assembly, &b, found.then_some((solution.forces, solution.report)))?
-        }
-        ContactMethod::Heuristic => {
-            let solution = heuristic(&delassus, &b, &SolverSettings::default())?;
-            core.accounts.note_residual(core.t, solution.report.residual);
-            tell_stage(core, solution.stage);
-            let found = solution.stage != LeastForceStage::NoForces;
-            guessed_or_exact(core, &assembly, &b, found.then_some((solution.forces, solution.report)))?
-        }
-        ContactMethod::Guesses => {
-            let solution = guesses(&delassus, &b, &SolverSettings::default())?;
-            core.accounts.note_residual(core.t, solution.report.residual);
-            if !solution.vanishing.is_empty() {
-                core.accounts.warn(core.t, "guesses took contacts for vanishing: they bear no force and open");
-            }
-            let found = solution.report.status != SolverStatus::Infeasible;
-            guessed_or_exact(core, &assembly, &b, found.then_some((solution.forces, solution.report)))?
-        }
+    let (known, contact) = (Question { constants: &b, ..Question::default() }, core.settings.contact);
+    let ask = match contact {
+        ContactMethod::LeastForce | ContactMethod::Heuristic => Ask::LeastForce,
+        ContactMethod::Guesses => Ask::Guesses,
         ContactMethod::ActiveSet | ContactMethod::SequentialImpulses | ContactMethod::ConjugateGradients => {
-            exact_forces(core, &assembly, &b)?
+            Ask::Instant
         }
     };
+    let mut found = assembly.answer(known, ask, &mut core.memory)?;
+    if let Some(stage) = found.stage {
+        if contact != ContactMethod::LeastForce {
+            core.accounts.note_residual(core.t, found.report.residual);
+        }
+        tell_stage(core, stage);
+        // The bound in the certificate needs forces under which no contact closes.
+        if stage == LeastForceStage::NoForces && b.iter().any(|&b| b < 0.0) {
+            let what = match contact {
+                ContactMethod::Guesses => "no guess of vanishing contacts had forces, and exact ones were used instead",
+                _ => "a linear programme of least total force was not solved, and exact forces were used instead",
+            };
+            core.accounts.warn_of_tolerated(core.t, what);
+            found = assembly.answer(known, Ask::Instant, &mut core.memory)?;
+        }
+    }
+    if found.stage.is_none() && found.report.status != SolverStatus::Solved {
+        let names = reported::names_of(&core.model, assembly.bodies());
+        let residual = found.report.residual;
+        let what =
+            format!("the solver found no contact forces of {names}: the relative residual stays at {residual:e}");
+        core.accounts.note_unsolved(core.t, what);
+    }
     let worst = &mut core.accounts.certificate.max_acceleration_error_bound;
-    *worst = Some(worst.unwrap_or(0.0).max(bound));
-    Ok(forces)
+    *worst = Some(worst.unwrap_or(0.0).max(found.report.bound));
+    Ok(found.reactions)
 }
 
-/// Tells what the heuristic took for vanishing contacts.
+/// Tells what a method of the thesis took for vanishing contacts.
 fn tell_stage(core: &mut Core, stage: LeastForceStage) {
-    match stage {
-        LeastForceStage::GuessOfVanishing => core.accounts.warn(
+    match (core.settings.contact, stage) {
+        (ContactMethod::Guesses, LeastForceStage::GuessOfVanishing) => {
+            core.accounts.warn(core.t, "guesses took contacts for vanishing: they bear no force and open");
+        }
+        (ContactMethod::Heuristic, LeastForceStage::GuessOfVanishing) => core.accounts.warn(
             core.t,
             "the heuristic took contacts for vanishing, those that the forces of least sum open, and found forces \
              (stage 2)",
         ),
-        LeastForceStage::LeastSum => core.accounts.warn_of_tolerated(
+        (ContactMethod::Heuristic, LeastForceStage::LeastSum) => core.accounts.warn_of_tolerated(
             core.t,
             "the heuristic's guess of vanishing contacts has no forces: those of least sum were used, which add energy \
              (stage 3)",
         ),
         _ => {}
     }
-}
-
-/// Forces of a method of the thesis with the bound on the error of the accelerations, or exact ones where it found
-/// none: the bound in the certificate needs forces under which no contact closes.
-fn guessed_or_exact(
-    core: &mut Core,
-    assembly: &Assembly,
-    b: &[f64],
-    found: Option<(Vec<f64>, SolverReport)>,
-) -> Result<(Vec<f64>, f64), ResponseError> {
-    match found {
-        Some((forces, report)) => Ok((forces, report.bound)),
-        None if b.iter().any(|&b| b < 0.0) => {
-            let what = match core.settings.contact {
-                ContactMethod::Guesses => "no guess of vanishing contacts had forces, and exact ones were used instead",
-                _ => "a linear programme of least total force was not solved, and exact forces were used instead",
-            };
-            core.accounts.warn_of_tolerated(core.t, what);
-            exact_forces(core, assembly, b)
-        }
-        None => Ok((vec![0.0; b.len()], 0.0)),
-    }
-}
-
-/// Exact forces, from the complementarity problem, and the bound on the error of the accelerations.
-fn exact_forces(core: &mut Core, assembly: &Assembly, b: &[f64]) -> Result<(Vec<f64>, f64), ResponseError> {
-    let solution = solve(&RowProblem::new(&assembly.problem, b), Ask::Instant, &mut core.memory)?;
-    if solution.report.status != SolverStatus::Solved {
-        let names = reported::names_of(&core.model, assembly.bodies());
-        let residual = solution.report.residual;
-        let what =
-            format!("the solver found no contact forces of {names}: the relative residual stays at {residual:e}");
-        core.accounts.note_unsolved(core.t, what);
-    }
-    Ok((solution.reactions, solution.report.bound))
 }
 
 /// Resultant force and torque of the contact forces on every movable body.

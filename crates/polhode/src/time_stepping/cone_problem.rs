@@ -7,8 +7,8 @@
 use super::last_forces::LastForces;
 use crate::rows::assembly::Assembly;
 use crate::solve::cone_violation::{CONE_LIMIT, ConeViolation};
-use polhode_response::WarmStart;
 use polhode_response::solve::step::{StepMemory, StepProblem, StepRows};
+use polhode_response::{Question, WarmStart};
 
 /// Reactions whose violation of Coulomb's law is beyond this part of its limit are solved for to rounding (no unit,
 /// 0.01 to 1).
@@ -47,10 +47,10 @@ impl ConeSolvers {
         h: f64,
     ) -> StepProblem<'a> {
         let KnownOfGroup { contacts, ref carried, noise_floor } = *known;
-        let (rows, group) = (&assembly.problem, assembly.bodies().first().copied());
-        let rows = StepRows { rows, joints: assembly.joint_rows(), constants, contacts, group, carried, noise_floor };
+        let problem = assembly.with(Question { constants, start: Some(carried), noise_floor, blocks: None });
+        let rows = StepRows { problem, contacts, group: assembly.bodies().first().copied() };
         let Self { memory, last } = self;
-        memory.problem(&rows, || last.start(assembly, contacts, h))
+        memory.problem(rows, || last.start(assembly, contacts, h))
     }
 }
 
@@ -131,11 +131,10 @@ mod tests {
         let in_bodies = problem.solve(&blocks, |_| false).unwrap();
         assert!(problem.factorisations() > 0 && in_bodies.report.residual < 1e-11, "{:?}", in_bodies.report);
         // A group of nobody is solved with the matrix of all rows.
-        let (rows, joints) = (&assembly.problem, assembly.joint_rows());
-        let (constants, carried) = (&constants, &known.carried);
-        let few = StepRows { rows, joints, constants, contacts: touches.len(), group: None, carried, noise_floor: 0.0 };
+        let question = Question { constants: &constants, start: Some(&known.carried), ..Question::default() };
+        let few = StepRows { problem: assembly.with(question), contacts: touches.len(), group: None };
         let mut memory = StepMemory::default();
-        let mut problem = memory.problem(&few, || None);
+        let mut problem = memory.problem(few, || None);
         assert!(!problem.is_started_from());
         let for_rows = problem.solve(&blocks, |_| false).unwrap();
         assert_eq!(for_rows.report.status, SolverStatus::Solved);

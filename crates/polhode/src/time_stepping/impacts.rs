@@ -17,7 +17,7 @@ use crate::model::{Model, tolerances};
 use crate::rows::groups::{Group, groups};
 use crate::solve::cone_violation::ConeViolation;
 use crate::solve::frictional_impact::Restitution;
-use crate::solve::impact::{Struck, strike};
+use crate::solve::impact::{Struck, strike_group};
 use crate::solve::joint_loads::ContactForce;
 use polhode_dynamics::BodyState;
 use polhode_response::ResponseError;
@@ -81,7 +81,7 @@ impl TimeStepper {
         let touches: Vec<Touch> = group.contacts.iter().map(|&index| touch(&near[index])).collect();
         let all = Group { bodies: group.bodies.clone(), contacts: (0..touches.len()).collect() };
         let settings = settings_for(group, near);
-        let struck = strike(model, states, &all, &touches, self.law, &settings, &mut self.memory)?;
+        let struck = strike_group(model, states, &all, &touches, self.law, &settings, &mut self.memory)?;
         if struck.outcome.status == ImpactStatus::NotSolved {
             report.fallbacks += 1;
             return Ok(false);

@@ -6,7 +6,7 @@ use super::{CaseResult, Context};
 use crate::row::{Row, Tolerance};
 use polhode::response::RestitutionLaw::{self, ChatterjeeRuina, Newton, Poisson, Stronge, Whittaker};
 use polhode::response::{
-    CollisionMatrix, ContactProblem, FrictionalImpact, MultipleImpactStatus, SingleFrictionalImpact, SlidingContact,
+    CollisionMatrix, ContactProblem, FrictionalImpact, ImpactStatus, SingleFrictionalImpact, SlidingContact,
     SlidingForce,
 };
 use polhode_oracles::random::Random;
@@ -236,8 +236,8 @@ pub(super) fn energy(context: &Context) -> CaseResult {
         let (rise, outcome) = impact.strike(seed)?;
         let group = if single { 0 } else { usize::from(outcome.applications > 0) + 1 };
         worst[group].include(rise, seed);
-        in_order += u64::from(outcome.status == MultipleImpactStatus::StruckInOrder);
-        not_solved += u64::from(outcome.status == MultipleImpactStatus::NotSolved);
+        in_order += u64::from(outcome.status == ImpactStatus::StruckInOrder);
+        not_solved += u64::from(outcome.status == ImpactStatus::NotSolved);
         if single {
             let (rise, outcome) = impact.strike_by_newton()?;
             newton_rises += u64::from(rise > RISE);

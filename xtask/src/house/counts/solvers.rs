@@ -22,7 +22,7 @@ const DELASSUS: &str = "Delassus";
 /// Methods that solve, of types of `polhode-response`.
 const METHODS: [&str; 4] = ["solve", "solve_with_forest", "solve_in_bodies", "resolve"];
 /// Functions that solve.
-const FUNCTIONS: [&str; 17] = [
+const FUNCTIONS: [&str; 13] = [
     "solve",
     "solve_complementarity",
     "solve_friction",
@@ -32,14 +32,10 @@ const FUNCTIONS: [&str; 17] = [
     "least_forces_in_cones",
     "least_force",
     "minimum_norm",
-    "heuristic",
     "guesses",
     "motion_depends_on_choice",
-    "strike_rows",
-    "strike_blocks",
+    "strike",
     "remove",
-    "hold",
-    "hold_all",
 ];
 
 /// The file that may choose: all thresholds stand there in the end.
@@ -206,7 +202,7 @@ mod tests {
     #[test]
     fn calls_of_solvers_are_counted() {
         let text = "use polhode_response::{\n    Law, least_force,\n};\n\
-                    fn f() {\n    let a = solver.solve(b);\n    least_force(c);\n    heuristic(d);\n    \
+                    fn f() {\n    let a = solver.solve(b);\n    least_force(c);\n    guesses(d);\n    \
                     polhode_response::solve(e);\n    self.resolve(g);\n    Forces::solve(h);\n    solves(i);\n}\n\
                     #[cfg(test)]\nmod tests {\n    fn g() { solver.solve(b); }\n}\n";
         assert_eq!(calls(&source(text)), 3);

@@ -58,7 +58,7 @@ mod without_collision;
 pub use collision_matrix::CollisionMatrix;
 pub use law::{MultipleImpactLaw, RestitutionLaw};
 pub use multiple::{MultipleFrictionalImpact, MultipleImpactSettings};
-pub use multiple_outcome::{MultipleImpact, MultipleImpactStatus};
+pub use multiple_outcome::MultipleImpact;
 pub use outcome::{FrictionalImpact, FrictionalImpactStatus};
 pub use phase::{ImpactPhase, PhaseKind};
 pub use single::SingleFrictionalImpact;

@@ -7,7 +7,7 @@
 //! well.
 
 use super::law::{MultipleImpactLaw, RestitutionLaw};
-use super::multiple_outcome::{MultipleImpact, MultipleImpactStatus};
+use super::multiple_outcome::MultipleImpact;
 use super::part::{CONE_ENERGY_ROUNDING, Part, Struck, energy};
 use super::pulse::strike_by_springs;
 use super::sequence::strike_in_order;
@@ -15,6 +15,7 @@ use super::simultaneous::strike_together;
 use super::without_collision::strike_without_collision;
 use crate::error::{ResponseError, check_finite, check_length};
 use crate::friction::{FrictionProblem, FrictionSettings, Redundancy};
+use crate::impact::ImpactStatus;
 use polhode_spatial::DisjointSets;
 
 /// The residual of an impact's cone problem that counts as solved (no unit, 1e-12 to 1e-9): coefficients of restitution
@@ -54,7 +55,7 @@ impl Default for MultipleImpactSettings {
 ///
 /// ```
 /// use polhode_response::friction::FrictionProblem;
-/// use polhode_response::{Law, MultipleFrictionalImpact, MultipleImpactSettings, MultipleImpactStatus};
+/// use polhode_response::{Law, MultipleFrictionalImpact, MultipleImpactSettings, ImpactStatus};
 /// // A box of 1 kg and 1 m falls flat on two corners, in a plane, at 1 m/s down and 0.2 m/s along. Rows: normal and
 /// // tangent of the left corner, then of the right one; inertia 1/6 kg m^2, arms (-1/2, -1/2) and (1/2, -1/2).
 /// let row = |x: f64, y: f64, moment: f64| [x, y, 6.0_f64.sqrt() * moment];
@@ -72,7 +73,7 @@ impl Default for MultipleImpactSettings {
 ///     settings: &MultipleImpactSettings::default(),
 /// };
 /// let outcome = impact.resolve()?;
-/// assert_eq!(outcome.status, MultipleImpactStatus::Separated);
+/// assert_eq!(outcome.status, ImpactStatus::Separated);
 /// assert!((outcome.velocities_after[1]).abs() < 1e-12 && outcome.energy_change < 0.0);
 /// # Ok::<(), polhode_response::ResponseError>(())
 /// ```
@@ -173,7 +174,7 @@ impl MultipleFrictionalImpact<'_> {
             return Ok(());
         }
         part.tolerance = self.settings.threshold * approach;
-        part.status = part.status.and(MultipleImpactStatus::Separated);
+        part.status = part.status.max(ImpactStatus::Separated);
         let resist_rotations = contacts.iter().any(|&block| part.contacts.blocks()[block].resists_rotation());
         if let (MultipleImpactLaw::Pulse(exponent), true) = (self.law, contacts.len() > 1 || resist_rotations) {
             return strike_by_springs(part, struck, exponent, self.settings.limit);
@@ -186,7 +187,7 @@ impl MultipleFrictionalImpact<'_> {
         }
         let mut limit = self.settings.limit;
         if together {
-            part.status = part.status.and(MultipleImpactStatus::StruckInOrder);
+            part.status = part.status.max(ImpactStatus::StruckInOrder);
             limit = limit.min(IMPULSES_IN_PLACE * contacts.len());
         }
         strike_in_order(part, struck, self.single, limit)
@@ -205,7 +206,7 @@ impl MultipleFrictionalImpact<'_> {
         outcome.applications += struck.applications;
         outcome.solves += part.solves;
         outcome.residual = outcome.residual.max(part.residual);
-        outcome.status = outcome.status.and(part.status);
+        outcome.status = outcome.status.max(part.status);
     }
 }
 
@@ -219,7 +220,7 @@ fn stop_joints(part: &mut Part, struck: &mut Struck) -> Result<(), ResponseError
     let mut after = part.after(&struck.velocities, &stopping.impulses);
     part.hold_joints(&mut after);
     struck.add(part, &stopping.impulses, after);
-    part.status = part.status.and(MultipleImpactStatus::Separated);
+    part.status = part.status.max(ImpactStatus::Separated);
     if !stopping.is_solved {
         part.not_solved();
     }

@@ -1,11 +1,11 @@
 //! A part of an impact at several contacts: blocks that move each other, with velocities and impulses so far.
 
-use super::multiple_outcome::MultipleImpactStatus;
 use crate::dense::kernels::compensated_dot;
 use crate::error::ResponseError;
 use crate::friction::coulomb_cone::put_parts_into_discs;
 use crate::friction::rows_behind::RowsBehind;
 use crate::friction::{BlockMatrix, FrictionProblem, FrictionSettings, FrictionSolution, solve_friction};
+use crate::impact::ImpactStatus;
 use crate::law::Law;
 use crate::report::SolverStatus;
 use crate::solve::way::IMPACT_MOST_ROWS;
@@ -29,7 +29,7 @@ pub(super) struct Part {
     pub(super) tolerance: f64,
     pub(super) solves: usize,
     pub(super) residual: f64,
-    pub(super) status: MultipleImpactStatus,
+    pub(super) status: ImpactStatus,
     /// For parts of many rows.
     bodies: BodySolver,
 }
@@ -44,7 +44,7 @@ impl Part {
     ) -> Result<Self, ResponseError> {
         let contacts = chosen_blocks(contacts, chosen, contacts.constant())?;
         let restitution = chosen.iter().map(|&block| restitution[block]).collect();
-        let status = MultipleImpactStatus::NoApproach;
+        let status = ImpactStatus::NoApproach;
         let bodies = BodySolver::default();
         Ok(Self { contacts, restitution, settings, tolerance: 0.0, solves: 0, residual: 0.0, status, bodies })
     }
@@ -84,7 +84,7 @@ impl Part {
 
     /// Says that a cone problem was needed and not solved.
     pub(super) fn not_solved(&mut self) {
-        self.status = self.status.and(MultipleImpactStatus::NotSolved);
+        self.status = self.status.max(ImpactStatus::NotSolved);
     }
 
     /// Takes rounding out of the velocities of joints that are held.

@@ -8,18 +8,18 @@
 //! Energy: each contact loses `(1 - e^2) W` of the work `W` that it takes, and what friction takes.
 //!
 //! How it fails: a body that is wedged and keeps all its energy is compressed without end; beyond [`MOST_COMPRESSIONS`]
-//! what approaches still is stopped by one inelastic cone problem ([`MultipleImpactStatus::StoppedAtThreshold`]).
+//! what approaches still is stopped by one inelastic cone problem ([`ImpactStatus::StoppedAtThreshold`]).
 //! Contacts that resist rolling or spinning are no part of the law, and are refused.
 //!
 //! Source: Liu, Zhao and Brogliato 2008, 2009.
 
-use super::multiple_outcome::MultipleImpactStatus;
 use super::part::{Part, Struck};
 use super::reactions::UnitReactions;
 use super::sequence::finish;
 use super::spring_contact::SpringContact;
 use super::springs::{PulseExponent, Springs};
 use crate::error::ResponseError;
+use crate::impact::ImpactStatus;
 use crate::law::Law;
 
 /// Most compressions of an impact (1e3 to 1e5). A body between others is compressed about as often as the root of the
@@ -56,7 +56,7 @@ pub(super) fn strike_by_springs(
     let Some(springs) = Springs::of(springs.collect(), matrix, from, exponent) else { return Ok(()) };
     let sprung = springs.run(MOST_COMPRESSIONS.min(limit));
     if !sprung.ended {
-        part.status = part.status.and(MultipleImpactStatus::StoppedAtThreshold);
+        part.status = part.status.max(ImpactStatus::StoppedAtThreshold);
     }
     for ((unit, change), amount) in reactions.impulses.iter().zip(&reactions.changes).zip(&sprung.impulses) {
         for row in 0..unit.len() {
@@ -79,7 +79,7 @@ pub(super) fn strike_by_springs(
     if approaches {
         finish(part, struck)?;
     }
-    if sprung.ended && part.status == MultipleImpactStatus::StoppedAtThreshold {
+    if sprung.ended && part.status == ImpactStatus::StoppedAtThreshold {
         // What approaches still is the error of the steps, and no sequence cut off.
         part.status = status;
     }

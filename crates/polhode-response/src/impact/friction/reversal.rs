@@ -16,8 +16,9 @@
 //! Source: Mirtich 1996, section 3.5 (p. 88).
 
 use super::multiple::MultipleFrictionalImpact;
-use super::multiple_outcome::{MultipleImpact, MultipleImpactStatus};
+use super::multiple_outcome::MultipleImpact;
 use crate::error::ResponseError;
+use crate::impact::ImpactStatus;
 
 /// The impact that reverses the velocities of all contacts that carry, of blocks of which the first `contacts` are
 /// contacts; none where one of them does not stick.
@@ -31,7 +32,7 @@ pub(crate) fn reversal(
     let blocks = impact.contacts;
     let none = vec![0.0; impact.restitution.len()];
     let stop = MultipleFrictionalImpact { restitution: &none, ..*impact }.resolve()?;
-    if stop.status != MultipleImpactStatus::Separated {
+    if stop.status != ImpactStatus::Separated {
         return Ok(None);
     }
     let carries = |block: &usize| stop.impulses[blocks.range(*block).start] > 0.0;

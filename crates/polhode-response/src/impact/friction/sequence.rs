@@ -11,7 +11,6 @@
 
 use super::collision_matrix::CollisionMatrix;
 use super::law::RestitutionLaw;
-use super::multiple_outcome::MultipleImpactStatus;
 use super::outcome::FrictionalImpactStatus;
 use super::part::{Part, Struck};
 use super::reactions::UnitReactions;
@@ -19,6 +18,7 @@ use super::simultaneous::strike_together;
 use super::single::SingleFrictionalImpact;
 use crate::dense::kernels::largest;
 use crate::error::ResponseError;
+use crate::impact::ImpactStatus;
 use polhode_spatial::rounding;
 
 /// What may be left of the last approaches of a sequence, as a part of its threshold (no unit).
@@ -52,8 +52,8 @@ pub(super) fn strike_in_order(
     let blocks = part.contacts.len();
     let mut reactions: Vec<Option<Reaction>> = vec![None; blocks];
     while let Some(&block) = part.approaching(&struck.velocities).first() {
-        if struck.applications >= limit || part.status == MultipleImpactStatus::NotSolved {
-            part.status = part.status.and(MultipleImpactStatus::StoppedAtThreshold);
+        if struck.applications >= limit || part.status == ImpactStatus::NotSolved {
+            part.status = part.status.max(ImpactStatus::StoppedAtThreshold);
             break;
         }
         if reactions[block].is_none() && !part.contacts.blocks()[block].resists_rotation() {
@@ -165,7 +165,7 @@ fn apply(
     };
     let outcome = impact.resolve()?;
     if outcome.status == FrictionalImpactStatus::NotSolved {
-        part.status = part.status.and(MultipleImpactStatus::NotSolved);
+        part.status = part.status.max(ImpactStatus::NotSolved);
     }
     for (k, &impulse) in outcome.impulse.iter().enumerate().take(range.len()) {
         let pairs = reaction.impulses[k].iter().zip(&reaction.changes[k]);
@@ -208,6 +208,6 @@ pub(super) fn finish(part: &mut Part, struck: &mut Struck) -> Result<(), Respons
     }
     part.hold_joints(&mut after);
     struck.add(part, &answer.impulses, after);
-    part.status = part.status.and(MultipleImpactStatus::StoppedAtThreshold);
+    part.status = part.status.max(ImpactStatus::StoppedAtThreshold);
     Ok(())
 }

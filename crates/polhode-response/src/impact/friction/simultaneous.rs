@@ -22,12 +22,12 @@
 //! Assumption: the cone problem has a solution; bodies that are squeezed between others have none, and the status says
 //! so. Source: Moreau 1988; Smith et al. 2012; Glocker (energy); Stronge 1990.
 
-use super::multiple_outcome::MultipleImpactStatus;
 use super::part::{CONE_ENERGY_ROUNDING, ConeAnswer, Part, Struck, energy};
 use crate::dense::kernels::compensated_dot;
 use crate::error::ResponseError;
 use crate::friction::FallbackPolicy;
 use crate::friction::{ContactStatus, FrictionSolution};
+use crate::impact::ImpactStatus;
 use polhode_spatial::rounding;
 
 /// Rounds of reflections after which bodies count as squeezed, where no rounds need ever end.
@@ -140,7 +140,7 @@ fn answer(part: &mut Part, before: &[f64]) -> Result<Option<Answer>, ResponseErr
     if full.excess <= CONE_ENERGY_ROUNDING {
         return Ok(Some(full.answer));
     }
-    part.status = part.status.and(MultipleImpactStatus::RestitutionLowered);
+    part.status = part.status.max(ImpactStatus::RestitutionLowered);
     let inelastic = Attempt::new(part, &asked, inelastic);
     let best = largest(inelastic, &full, |lambda, start| attempt(part, &asked, lambda, start))?;
     Ok(Some(best.answer))

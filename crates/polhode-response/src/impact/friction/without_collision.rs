@@ -9,11 +9,11 @@
 //! Source: Stewart 2000, for the limit of steps of time; Genot and Brogliato 1999.
 
 use super::law::RestitutionLaw;
-use super::multiple_outcome::MultipleImpactStatus;
 use super::part::{Part, Struck};
 use super::sequence::strike_alone;
 use crate::dense::kernels::largest;
 use crate::error::ResponseError;
+use crate::impact::ImpactStatus;
 
 /// The largest velocity `h b` of a contact over the largest velocity (no unit): small beside that of the jam, and large
 /// beside the residual of the cone problem.
@@ -47,7 +47,7 @@ pub(super) fn strike_without_collision(
         part.restitution[block] = 0.0;
         strike_alone(part, struck, block, law)?;
         if struck.impulses.iter().any(|impulse| *impulse != 0.0) {
-            part.status = part.status.and(MultipleImpactStatus::Separated);
+            part.status = part.status.max(ImpactStatus::Separated);
         }
         return Ok(());
     }
@@ -81,6 +81,6 @@ pub(super) fn strike_without_collision(
     }
     part.hold_joints(&mut after);
     struck.add(part, &impulses, after);
-    part.status = part.status.and(MultipleImpactStatus::Separated);
+    part.status = part.status.max(ImpactStatus::Separated);
     Ok(())
 }

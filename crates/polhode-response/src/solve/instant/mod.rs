@@ -18,7 +18,6 @@ pub use terms::{SLIDING_ROUNDING, STICKING_ACCELERATION};
 
 use self::terms::{At, Terms, rounding_of};
 use super::answer::{Answer, Choice};
-use super::many::solve_many;
 use super::problem::{Ask, RowProblem};
 use super::way;
 use crate::error::ResponseError;
@@ -39,7 +38,7 @@ pub(super) fn solve_sparse(
     blocks: &Blocks,
     ask: Ask<'_>,
 ) -> Result<Option<Answer>, ResponseError> {
-    let terms = Terms { rows: problem.rows, blocks, constants: problem.constants };
+    let terms = Terms { rows: problem.rows, blocks, constants: problem.known.constants };
     if let Ask::Balance { free } = ask {
         let report = SolverReport { status: SolverStatus::Inaccurate, ..SolverReport::default() };
         let unknown = || Answer { report, ..Answer::default() };
@@ -49,7 +48,7 @@ pub(super) fn solve_sparse(
     if ask != Ask::Present || turns || !way::is_in_bodies(problem.rows, blocks.contacts()) {
         return Ok(None);
     }
-    let solved = solve_many(problem.rows, blocks, problem.constants)?;
+    let solved = terms.in_bodies()?;
     Ok((solved.report.status == SolverStatus::Solved).then(|| Answer::from(solved)))
 }
 
@@ -58,7 +57,7 @@ pub(super) fn solve_sparse(
 /// # Errors
 /// When a number is not finite.
 pub(super) fn solve(problem: &RowProblem<'_>, blocks: &Blocks, ask: Ask<'_>) -> Result<Answer, ResponseError> {
-    let terms = Terms { rows: problem.rows, blocks, constants: problem.constants };
+    let terms = Terms { rows: problem.rows, blocks, constants: problem.known.constants };
     let slides = blocks.laws().iter().any(|law| law.parts().iter().any(|(_, part)| part.slides));
     let free = if let Ask::Rest { free } = ask { Some(free) } else { None };
     if let Some(free) = free
@@ -81,5 +80,5 @@ pub(super) fn solve(problem: &RowProblem<'_>, blocks: &Blocks, ask: Ask<'_>) -> 
         return Ok(rounded(sticking::of_no_slip(terms, &delassus, at)?, None));
     }
     let settings = FrictionSettings { acceptance: ACCEPTED_SLIDING, ..FrictionSettings::default() };
-    Ok(rounded(blocks.solve(&delassus, problem.constants, None, &settings)?, None))
+    Ok(rounded(blocks.solve(&delassus, problem.known.constants, None, &settings)?, None))
 }

@@ -15,7 +15,6 @@ use super::terms::Terms;
 use crate::error::ResponseError;
 use crate::friction::{BlocksSolution, ContactStatus, Structure};
 use crate::report::{Method, SolverStatus};
-use crate::solve::many::solve_many;
 use crate::solve::way;
 
 /// What the forces may leave on a body, relative to the sum of the magnitudes of the forces on it (no unit, 1e-14 to
@@ -28,13 +27,13 @@ const BALANCED_RELATIVE: f64 = 1e-13;
 /// # Errors
 /// When a number is not finite.
 pub(super) fn standing(terms: Terms<'_>, free: &[f64]) -> Result<Option<BlocksSolution>, ResponseError> {
-    let Terms { rows, blocks, constants } = terms;
+    let Terms { rows, blocks, .. } = terms;
     // What presses joints with friction is given: the velocities of bodies know nothing of it.
     if !way::is_plain(rows) {
         return Ok(None);
     }
     let contacts = Contacts::of(rows, blocks);
-    let solved = solve_many(rows, blocks, constants)?;
+    let solved = terms.in_bodies()?;
     if solved.report.status == SolverStatus::Solved && !solved.statuses.contains(&ContactStatus::Slide) {
         let held = balanced(terms, &contacts, free, (&solved.reactions, Method::ActiveSet))?;
         if held.is_some() {

@@ -1,8 +1,10 @@
 //! What the methods at an instant share: their problem, and what of an acceleration is rounding.
 
 use crate::delassus::Delassus;
-use crate::friction::Blocks;
+use crate::error::ResponseError;
+use crate::friction::{Blocks, BlocksSolution};
 use crate::problem::ContactProblem;
+use crate::sparse::{BodySettings, BodySolver};
 
 /// A slip acceleration below this fraction of the largest relative acceleration without contact forces is rounding
 /// (1e-13 to 1e-9).
@@ -27,6 +29,18 @@ impl Terms<'_> {
     /// The largest acceleration of a row without forces, m/s^2.
     pub(super) fn scale(self) -> f64 {
         self.constants.iter().fold(0.0, |most: f64, value| most.max(value.abs()))
+    }
+
+    /// The forces of many contacts, found in the accelerations of bodies without a matrix of rows. That they are not
+    /// found is no error: see the status of the report.
+    ///
+    /// # Errors
+    /// When a number is not finite, and where rows are soft or of more than two bodies
+    /// ([`is_plain`](crate::solve::way::is_plain)).
+    #[cfg_attr(feature = "census", track_caller)]
+    pub(super) fn in_bodies(self) -> Result<BlocksSolution, ResponseError> {
+        let system = (&mut BodySolver::default(), &BodySettings::default());
+        Ok(self.blocks.solve_in_bodies(self.rows, self.constants, None, system)?.0)
     }
 }
 
