@@ -24,7 +24,7 @@ use crate::rows::friction_blocks::{part_of, push_contact};
 use crate::rows::frictional_contact::{FrictionalContact, Sliding};
 use crate::rows::rotation_row::RotationRow;
 use crate::scene::FrictionEllipse;
-use crate::solve::accelerations::with_loads_of_bearings;
+use crate::solve::accelerations::{violation_of_bearings, with_loads_of_bearings};
 use crate::solve::cone_violation::{ConeViolation, RubbingForce, largest_violation};
 use crate::solve::reactions::Reactions;
 use polhode_contact::ContactKinematics;
@@ -155,7 +155,7 @@ pub(super) fn solve(
     let Answer { reactions: forces, on_bodies, beyond_cones, .. } =
         with_loads_of_bearings(&mut assembly, &mut constants, (known, Ask::Stage), memory)?;
     let of_contacts = if beyond_cones { laws.violation(&forces) } else { None };
-    let violation = ConeViolation::larger(of_contacts, ConeViolation::of_bearings(&assembly));
+    let violation = ConeViolation::larger(of_contacts, violation_of_bearings(&assembly));
     let slips = friction.iter().filter_map(|contact| {
         let Sliding { row, coefficient, .. } = contact.own.sliding?;
         Some(coefficient * forces.get(contact.contact)? * row.dot(contact.own.terms.slip_velocity))

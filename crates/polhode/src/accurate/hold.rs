@@ -10,7 +10,7 @@ use crate::collision::turn::Turn;
 use crate::identity::contact_id::ContactId;
 use crate::model::Model;
 use crate::rows::assembly::{self, Assembly};
-use crate::solve::accelerations::{Accelerations, ContactTangent, ContactTurn, Wanted};
+use crate::solve::accelerations::{Accelerations, ContactTangent, ContactTurn, Wanted, violation_of_bearings};
 use crate::solve::cone_violation::{ConeViolation, largest_violation};
 use polhode_dynamics::{BodyState, RigidBody};
 use polhode_response::{Answer, Memory, ResponseError, SolverStatus};
@@ -264,7 +264,7 @@ impl Forces {
 /// without contact forces.
 fn violation_of(found: &Accelerations, friction: &[Option<ContactFriction>], load: f64) -> Option<ConeViolation> {
     let by_forces = largest_violation(found.contacts.iter().flatten().map(|contact| contact.rubbing), load);
-    let by_forces = ConeViolation::larger(by_forces, ConeViolation::of_bearings(&found.assembly));
+    let by_forces = ConeViolation::larger(by_forces, violation_of_bearings(&found.assembly));
     let sticks = found.contacts.iter().flatten().zip(friction.iter().flatten()).filter(|(_, own)| own.is_held);
     let slip = |(contact, own): (&ContactTangent, &ContactFriction)| {
         let value = own.slip_acceleration.length() / found.scale;

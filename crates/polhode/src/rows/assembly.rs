@@ -520,16 +520,11 @@ impl Assembly {
         Ok(changes)
     }
 
-    /// How much the loads of bearings have changed by the last round, relative to the largest; zero where they were
-    /// found.
-    pub(crate) fn change_of_pressing(&self) -> f64 {
-        self.last_round.relative_change()
-    }
-
-    /// The bodies of the first bearing with friction.
-    pub(crate) fn first_bearing(&self) -> Option<(usize, usize)> {
+    /// Where the loads of bearings were not found: how much the last round changed them, relative to the largest, and
+    /// the bodies of a bearing.
+    pub(crate) fn unfound_loads(&self) -> Option<(f64, (usize, usize))> {
         let ConstraintId::Contact(id) = self.constraint(self.pressed.first()?.0)? else { return None };
-        Some((id.a, id.b))
+        Some((self.last_round.relative_change(), (id.a, id.b))).filter(|(change, _)| *change > 0.0)
     }
 
     /// Splits generalised velocities, accelerations or forces into (body, linear part, angular part).

@@ -19,7 +19,7 @@ use crate::model::{Loads, Model, tolerances};
 use crate::rows::assembly::{self, Assembly};
 use crate::rows::frictional_contact::{FrictionalContact, Sliding};
 use crate::rows::resisted_rotation::{self, ResistedRotation, direction_of, with_rotations};
-use crate::solve::cone_violation::RubbingForce;
+use crate::solve::cone_violation::{ConeViolation, RubbingForce};
 use polhode_dynamics::BodyState;
 use polhode_response::friction::ContactStatus;
 use polhode_response::solve::instant::{SLIDING_ROUNDING, STICKING_ACCELERATION};
@@ -213,6 +213,11 @@ pub(crate) fn with_loads_of_bearings(
         assembly.press(constants, 1.0);
     }
     assembly.answer(Question { constants, ..known }, ask, memory)
+}
+
+/// The violation of Coulomb's law in bearings whose loads were not found: their friction is that of other loads.
+pub(crate) fn violation_of_bearings(assembly: &Assembly) -> Option<ConeViolation> {
+    assembly.unfound_loads().map(|(value, pair)| ConeViolation { value, pair })
 }
 
 /// What is asked of the rows between bodies in these states.

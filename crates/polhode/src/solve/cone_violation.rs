@@ -5,8 +5,6 @@
 //! for a contact that obeys the law, also where `f_n = 0`: such a contact bears no tangential force. With a grain
 //! `|f_t|` is the length in units of the largest coefficient (`collision/friction_ellipse.rs`).
 
-use crate::rows::assembly::Assembly;
-
 /// Most that forces and impulses may violate Coulomb's law by, relative to the largest of their problem (no unit, 1e-6
 /// to 1e-4). Time steps solve for impulses to a tenth of it. Where a face bears just what friction allows, the least
 /// change that takes out what a solver left may carry one of its contacts beyond its cone by
@@ -22,12 +20,6 @@ pub(crate) struct ConeViolation {
 }
 
 impl ConeViolation {
-    /// That of bearings whose loads were not found: their friction is that of other loads.
-    pub(crate) fn of_bearings(assembly: &Assembly) -> Option<Self> {
-        let (value, pair) = (assembly.change_of_pressing(), assembly.first_bearing()?);
-        (value > 0.0).then_some(Self { value, pair })
-    }
-
     /// The larger one.
     pub(crate) fn larger(one: Option<Self>, other: Option<Self>) -> Option<Self> {
         match (one, other) {

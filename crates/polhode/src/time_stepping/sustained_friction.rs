@@ -468,7 +468,8 @@ fn settle(
         rounds += 1;
         let is_found = !assembly.press_by_loads(&solved.reactions, h)?;
         if is_found || rounds == MOST_ROUNDS_OF_BEARINGS {
-            solved.report.residual = solved.report.residual.max(assembly.change_of_pressing());
+            solved.report.residual =
+                solved.report.residual.max(assembly.unfound_loads().map_or(0.0, |(change, _)| change));
             return Ok(Settled { friction, solved, factorisations });
         }
         assembly.press(&mut constants, h);
