@@ -30,6 +30,6 @@ pub struct ImpulseJoint {
     pub bodies: [u32; 2],
     /// Its law.
     pub law: JointLaw,
-    /// How many rows it has: 1 to [`MOST_ROWS`].
+    /// How many rows it has: 1 to 6.
     pub rows: usize,
 }
