@@ -131,7 +131,7 @@ fn garbage() {
     assert!(run.stderr.len() < 2000, "{}", run.stderr.len());
 }
 
-/// Many pairs that overlap are told in a line each, four at the most, as bodies are named wherever there are many.
+/// Many pairs that overlap are told in a line each, ten at the most.
 #[test]
 fn overlaps_are_told_in_a_line_each() {
     let body = |k: usize| {
@@ -141,6 +141,6 @@ fn overlaps_are_told_in_a_line_each() {
     let said = place.expect(2, &["check", "scene.toml"]).stderr;
     assert!(said.starts_with("error: 15 pairs of bodies overlap at the start\n"), "{said}");
     let lines = said.lines().filter(|line| line.contains("overlap by")).count();
-    assert_eq!(lines, 4, "{said}");
-    assert!(said.contains("and 11 more pairs") && said.lines().all(|line| line.len() < 160), "{said}");
+    assert_eq!(lines, 10, "{said}");
+    assert!(said.contains("and 5 more pairs") && said.lines().all(|line| line.len() < 160), "{said}");
 }

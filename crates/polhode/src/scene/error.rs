@@ -468,8 +468,11 @@ pub struct OverlapAtStart {
     pub allowed_m: f64,
 }
 
-/// Most bodies, or pairs of them, that a message names: more do not help.
+/// Most bodies that a sentence names: more do not help.
 pub(crate) const MOST_NAMES: usize = 4;
+
+/// Most pairs that a message tells in a line each.
+const MOST_PAIRS: usize = 10;
 
 /// That bodies overlap, in a line for each pair.
 fn overlapping(pairs: &[OverlapAtStart]) -> String {
@@ -485,8 +488,8 @@ fn overlapping(pairs: &[OverlapAtStart]) -> String {
         return sentence(pair);
     }
     let mut lines = vec![format!("{} pairs of bodies overlap at the start", pairs.len())];
-    lines.extend(pairs.iter().take(MOST_NAMES).map(sentence));
-    match pairs.len().saturating_sub(MOST_NAMES) {
+    lines.extend(pairs.iter().take(MOST_PAIRS).map(sentence));
+    match pairs.len().saturating_sub(MOST_PAIRS) {
         0 => {}
         1 => lines.push("and one more pair".to_owned()),
         more => lines.push(format!("and {more} more pairs")),

@@ -9,6 +9,10 @@ use crate::constraint::row::RowKind;
 use polhode_spatial::rounding;
 use polhode_spatial::{Motion, Pose, Velocity};
 
+/// How far a distance at the start may be beyond its limit, relative to itself: rounding of the anchors (no unit, 1e-15
+/// to 1e-9).
+const START_AT_LIMIT: f64 = 1e-12;
+
 impl Scene {
     /// Joints between bodies, or of bodies with the world.
     pub fn joints(&self) -> &[Joint] {
@@ -249,7 +253,7 @@ fn check_limits(number: usize, joint: &Joint) -> Result<(), SceneError> {
             Coordinate::Angle | Coordinate::Displacement => 0.0,
             Coordinate::Distance => (joint.anchor() - joint.other_anchor()).length(),
         };
-        let rounding = rounding::DIGITS_OF_A_FILE * start;
+        let rounding = START_AT_LIMIT * start;
         if !(lower - rounding..=upper + rounding).contains(&start) {
             let (name, unit) = (coordinate.name(), coordinate.unit());
             return Err(SceneError::JointBeyondLimits { number, coordinate: name, unit, start, lower, upper });
