@@ -171,13 +171,32 @@ impl ContactProblem {
     }
 }
 
-/// The mean of `J_a (M^-1 J_b)` and `J_b (M^-1 J_a)`. Two plain sums side by side: rows are too short for more.
+/// The mean of `J_a (M^-1 J_b)` and `J_b (M^-1 J_a)`.
 fn symmetric_product(a: RowEntry<'_>, b: RowEntry<'_>) -> f64 {
+    // Sums of known length are unrolled.
+    let fixed = match a.jacobian.len() {
+        3 => fixed_product::<3>(a, b),
+        6 => fixed_product::<6>(a, b),
+        _ => None,
+    };
+    fixed.unwrap_or_else(|| mean_product([a.jacobian, b.response], [b.jacobian, a.response]))
+}
+
+/// The same of rows of this many numbers.
+fn fixed_product<const N: usize>(a: RowEntry<'_>, b: RowEntry<'_>) -> Option<f64> {
+    let [a_jacobian, b_response] = [a.jacobian.first_chunk::<N>()?, b.response.first_chunk::<N>()?];
+    let [b_jacobian, a_response] = [b.jacobian.first_chunk::<N>()?, a.response.first_chunk::<N>()?];
+    Some(mean_product([a_jacobian, b_response], [b_jacobian, a_response]))
+}
+
+/// The mean of two products of vectors: plain sums side by side, as rows are too short for more.
+#[inline]
+fn mean_product<T: AsRef<[f64]>>([a, b]: [T; 2], [c, d]: [T; 2]) -> f64 {
     let (mut one, mut other) = (0.0, 0.0);
-    let lines = a.jacobian.iter().zip(b.response).zip(b.jacobian.iter().zip(a.response));
-    for ((a_jacobian, b_response), (b_jacobian, a_response)) in lines {
-        one += a_jacobian * b_response;
-        other += b_jacobian * a_response;
+    let lines = a.as_ref().iter().zip(b.as_ref()).zip(c.as_ref().iter().zip(d.as_ref()));
+    for ((a, b), (c, d)) in lines {
+        one += a * b;
+        other += c * d;
     }
     0.5 * (one + other)
 }

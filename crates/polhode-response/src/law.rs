@@ -138,23 +138,29 @@ impl Law {
 
     /// Checks rows and coefficient; `block` is its index, for the message.
     pub(crate) fn check(self, block: usize) -> Result<(), ResponseError> {
-        if !(1..=MOST_ROWS).contains(&self.rows()) {
-            return Err(ResponseError::FrictionRows { block, rows: self.rows() });
-        }
-        for ((_, part), most) in self.parts().into_iter().zip(ROWS_OF_PARTS) {
-            let friction = part.friction;
-            if !(friction >= 0.0 && friction.is_finite()) {
-                return Err(ResponseError::Friction { contact: block, friction });
-            }
-            if part.rows > if part.slides { 1 } else { most } {
-                return Err(ResponseError::FrictionRows { block, rows: self.rows() });
-            }
-        }
+        let rows_within = |most: usize| {
+            let rows = self.rows();
+            if (1..=most).contains(&rows) { Ok(()) } else { Err(ResponseError::FrictionRows { block, rows }) }
+        };
+        let coefficient = |friction: f64| {
+            let is_one = friction >= 0.0 && friction.is_finite();
+            if is_one { Ok(()) } else { Err(ResponseError::Friction { contact: block, friction }) }
+        };
         match self {
-            Self::Cone { rows, .. } | Self::Hold { rows } if rows > CONTACT_ROWS => {
-                Err(ResponseError::FrictionRows { block, rows })
+            Self::Push => Ok(()),
+            Self::Hold { .. } => rows_within(CONTACT_ROWS),
+            Self::Slide { friction } => coefficient(friction),
+            Self::Cone { friction, .. } => rows_within(CONTACT_ROWS).and_then(|()| coefficient(friction)),
+            Self::Resist { parts } => {
+                rows_within(MOST_ROWS)?;
+                for (part, most) in parts.iter().zip(ROWS_OF_PARTS) {
+                    coefficient(part.friction)?;
+                    if part.rows > if part.slides { 1 } else { most } {
+                        return Err(ResponseError::FrictionRows { block, rows: self.rows() });
+                    }
+                }
+                Ok(())
             }
-            _ => Ok(()),
         }
     }
 }

@@ -152,12 +152,13 @@ impl LeastNormHold {
                 *scale /= root;
             }
         }
+        // The lower triangle of the inverse is all that is asked of it.
         let mut inverse = Vec::with_capacity(n * n);
         for column in 0..n {
             inverse.resize((column + 1) * n, 0.0);
             let unit = &mut inverse[column * n..];
             unit[column] = 1.0;
-            back_substitute(&factor, unit);
+            back_substitute_from(&factor, unit, column);
         }
         let entry = |i: usize, j: usize| {
             scale[i] * delassus.row(i)[j] * scale[j] + REGULARIZATION * REGULARIZATION * inverse[j * n + i]
@@ -229,16 +230,21 @@ fn cholesky(n: usize, entry: impl Fn(usize, usize) -> f64, smallest: f64) -> Vec
 
 /// Solves `L L^T x = y` in place.
 fn back_substitute(factor: &[f64], y: &mut [f64]) {
+    back_substitute_from(factor, y, 0);
+}
+
+/// The same where the first numbers of `y` are zero, so many: only the later ones of `x` are found.
+fn back_substitute_from(factor: &[f64], y: &mut [f64], first: usize) {
     let n = y.len();
-    for i in 0..n {
+    for i in first..n {
         let row = &factor[triangle(i)..=triangle(i) + i];
         y[i] = (y[i] - dot(&row[..i], &y[..i])) / row[i];
     }
-    for i in (0..n).rev() {
+    for i in (first..n).rev() {
         let row = &factor[triangle(i)..=triangle(i) + i];
         let value = y[i] / row[i];
         y[i] = value;
-        for (entry, rest) in row[..i].iter().zip(y.iter_mut()) {
+        for (entry, rest) in row[first..i].iter().zip(&mut y[first..i]) {
             *rest -= entry * value;
         }
     }

@@ -109,7 +109,12 @@ impl ContactProblem {
         check_finite("inverse masses", &inverse_masses)?;
         let mut reduced = Vec::with_capacity(block);
         for (body, matrix) in inverse_masses.chunks_exact(block).enumerate() {
-            if !is_semidefinite(matrix, width, &mut reduced) {
+            let is_dominant = match width {
+                3 => is_dominant::<3>(matrix),
+                6 => is_dominant::<6>(matrix),
+                _ => false,
+            };
+            if !is_dominant && !is_semidefinite(matrix, width, &mut reduced) {
                 return Err(ResponseError::InverseMass { body });
             }
         }
@@ -411,12 +416,18 @@ impl ContactProblem {
         if most > 0.0 { most / least } else { 1.0 }
     }
 
-    /// The same rows with every body's mass scaled so that its largest inverse mass at a row is 1.
-    pub(crate) fn with_alike_masses(&self) -> Self {
+    /// The largest inverse mass of each body at a row; 0 of one that no row touches.
+    pub(crate) fn largest_inverse_masses(&self) -> Vec<f64> {
         let mut largest = vec![0.0_f64; self.bodies];
         for entry in (0..self.len()).flat_map(|row| self.entries(row)) {
             largest[entry.body] = largest[entry.body].max(dot(entry.jacobian, entry.response));
         }
+        largest
+    }
+
+    /// The same rows with every body's mass scaled so that its largest inverse mass at a row is 1.
+    pub(crate) fn with_alike_masses(&self) -> Self {
+        let largest = self.largest_inverse_masses();
         let mut alike = self.clone();
         for (index, block) in alike.response.chunks_exact_mut(self.width).enumerate() {
             let largest = largest[self.rows[index / 2].bodies[index % 2] as usize];
@@ -510,6 +521,17 @@ fn push_products<const N: usize>(products: &mut Vec<f64>, matrix: &[f64], vector
     if let Some(vector) = vector.first_chunk::<N>() {
         products.extend(matrix.as_chunks::<N>().0.iter().map(|line| dot(line, vector)));
     }
+}
+
+/// Whether a matrix is symmetric, and no diagonal entry is less than the others of its row together: then it is
+/// positive semidefinite (Gershgorin), as are those of most bodies, with less work than a factorisation.
+fn is_dominant<const N: usize>(matrix: &[f64]) -> bool {
+    let (lines, _) = matrix.as_chunks::<N>();
+    lines.iter().enumerate().all(|(row, line)| {
+        let magnitudes: f64 = line.iter().map(|entry| entry.abs()).sum();
+        let is_symmetric = lines.iter().zip(line).take(row).all(|(other, entry)| other[row] == *entry);
+        is_symmetric && magnitudes <= 2.0 * line[row]
+    })
 }
 
 /// Whether a matrix is symmetric and positive semidefinite to rounding, by `L D L^T` with zero pivots allowed;

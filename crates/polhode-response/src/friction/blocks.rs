@@ -153,13 +153,14 @@ impl Blocks {
     /// # Errors
     /// A row that does not exist, another number of rows than the law has, a coefficient that is none.
     pub(crate) fn check(&self, rows: usize) -> Result<(), ResponseError> {
-        if let Some(&row) = self.rows.iter().find(|&&row| row >= rows) {
-            return Err(ResponseError::UnknownRow { row, rows });
-        }
+        let mut expected = 0;
         for (block, law) in self.laws.iter().enumerate() {
             law.check(block)?;
+            expected += law.rows();
         }
-        check_length("rows of blocks", self.laws.iter().map(|law| law.rows()).sum(), self.rows.len())
+        check_length("rows of blocks", expected, self.rows.len())?;
+        let unknown = self.rows.iter().find(|&&row| row >= rows);
+        unknown.map_or(Ok(()), |&row| Err(ResponseError::UnknownRow { row, rows }))
     }
 
     /// That each of so many rows is in one block.

@@ -60,6 +60,16 @@ pub struct Independence {
     pub least: f64,
 }
 
+/// The roots of the inverse masses of all coordinates, where each body's mass is scaled so that its largest inverse
+/// mass at a row is 1.
+fn one_mass(rows: &ContactProblem) -> Vec<f64> {
+    let of_body = |(body, largest): (usize, f64)| {
+        let diagonal = rows.inverse_mass(body).iter().step_by(rows.width() + 1);
+        diagonal.map(move |own| if largest > 0.0 { (own / largest).sqrt() } else { own.sqrt() })
+    };
+    rows.largest_inverse_masses().into_iter().enumerate().flat_map(of_body).collect()
+}
+
 /// Rows that hold and may depend on each other, as those of the joints of a mechanism with more supports than it needs:
 /// which of their reactions do the same.
 ///
@@ -82,13 +92,14 @@ pub struct Supports {
 impl Supports {
     /// Those of some of these rows.
     pub fn of(rows: &ContactProblem, held: Range<usize>) -> Self {
-        let (alike, width, count) = (rows.with_alike_masses(), rows.width(), held.len());
-        let mut jacobian = vec![0.0; rows.bodies() * width * count];
+        let (width, count) = (rows.width(), held.len());
+        let metric = one_mass(rows);
+        let mut jacobian = vec![0.0; metric.len() * count];
         for (place, row) in held.clone().enumerate() {
-            for entry in alike.entries(row) {
-                let diagonal = alike.inverse_mass(entry.body).iter().step_by(width + 1);
-                for (k, (own, mass)) in entry.jacobian.iter().zip(diagonal).enumerate() {
-                    jacobian[(entry.body * width + k) * count + place] += own * mass.sqrt();
+            for entry in rows.entries(row) {
+                let of_body = entry.body * width..(entry.body + 1) * width;
+                for ((own, root), k) in entry.jacobian.iter().zip(&metric[of_body.clone()]).zip(of_body) {
+                    jacobian[k * count + place] += own * root;
                 }
             }
         }
