@@ -19,7 +19,7 @@ pub mod problem_text;
 use crate::report::SolverStatus;
 use problem_text::ProblemText;
 use std::cell::RefCell;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::panic::Location;
 use std::sync::{Mutex, PoisonError};
 
@@ -32,9 +32,6 @@ const MOST_ROWS: usize = 1000;
 
 /// Motions that differ by more, relative to the largest velocity, are other motions (no unit).
 const OTHER_MOTION: f64 = 1e-6;
-
-/// Names of scenes that are kept for each kind of solve.
-const MOST_SCENES: usize = 3;
 
 /// The finest classes of residuals: a quarter of a power of ten.
 const CLASSES_A_DECADE: f64 = 4.0;
@@ -222,7 +219,7 @@ pub struct Counted {
     /// What is found without sets of methods, by their numbers.
     pub without: BTreeMap<usize, Without>,
     /// Scenes.
-    pub scenes: Vec<String>,
+    pub scenes: BTreeSet<String>,
     /// Problems.
     pub kept: Vec<Kept>,
 }
@@ -364,8 +361,8 @@ impl Counted {
             rows: most.rows.max(size.rows),
             cones: most.cones.max(size.cones),
         };
-        if self.scenes.len() < MOST_SCENES && !self.scenes.iter().any(|own| own == scene) {
-            self.scenes.push(scene.to_owned());
+        if !self.scenes.contains(scene) {
+            self.scenes.insert(scene.to_owned());
         }
     }
 
@@ -456,7 +453,7 @@ mod tests {
         assert_eq!(solution.report.tried.to_string(), "active-set");
         assert_eq!((counted.count, counted.unsolved, counted.asked, counted.others_as_good), (1, 0, 1, 1));
         assert_eq!(counted.next.first_key_value().unwrap().0, &(1, "all-held"));
-        assert_eq!(counted.scenes, ["a beam on pillars"]);
+        assert_eq!(counted.scenes, BTreeSet::from(["a beam on pillars".to_owned()]));
         assert_eq!(counted.kept[0].problem.blocks.len(), 3);
     }
 
