@@ -86,6 +86,18 @@ pub enum ResponseError {
         /// The most that are accepted.
         limit: usize,
     },
+    /// Too many rows for their matrix.
+    #[error(
+        "{rows} rows of contacts and joints are solved for together, and their matrix has {rows}^2 numbers: it is \
+         formed of at most {limit}; take steps that need no matrix, as those of tier = \"stepped\" of rows between two \
+         bodies, or fewer bodies that touch"
+    )]
+    TooManyRows {
+        /// Number of rows.
+        rows: usize,
+        /// The most that have a matrix.
+        limit: usize,
+    },
     /// A row index is out of range.
     #[error("row {row} does not exist, the problem has {rows} rows")]
     UnknownRow {

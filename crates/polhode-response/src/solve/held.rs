@@ -25,7 +25,7 @@ pub(super) fn hold(problem: &RowProblem<'_>, ask: Ask<'_>) -> Result<Answer, Res
     {
         return Ok(hold_beside(rows, &forest, constants, 0.0)?.into());
     }
-    let delassus = rows.delassus();
+    let delassus = way::matrix(rows)?;
     let reactions = LeastNormHold::factor(&delassus)?.solve(&delassus, constants)?;
     let left = delassus.times(&reactions)?.iter().zip(*constants).map(|(given, constant)| given + constant).collect();
     Ok(Answer { reactions, velocities: left, ..Answer::default() })

@@ -85,7 +85,7 @@ pub fn solve(problem: &RowProblem<'_>, ask: Ask<'_>, memory: &mut Memory) -> Res
 #[cfg_attr(feature = "census", track_caller)]
 fn by_the_thesis(problem: &RowProblem<'_>, ask: Ask<'_>, memory: &mut Memory) -> Result<Answer, ResponseError> {
     let (delassus, settings) = (&mut memory.delassus, SolverSettings::default());
-    problem.rows.delassus_into(delassus);
+    way::matrix_into(problem.rows, delassus)?;
     Ok(match ask {
         Ask::Guesses => guesses(delassus, problem.known.constants, &settings)?.into(),
         _ => least_force(delassus, problem.known.constants, &settings)?.into(),
@@ -116,6 +116,9 @@ fn of_rows(problem: &RowProblem<'_>, ask: Ask<'_>, memory: &mut Memory) -> Resul
     if let Ask::Displacement { accuracy } = ask
         && let Some(found) = without_friction::displacements(problem, accuracy)?
     {
+        return Ok(found);
+    }
+    if let Some(found) = without_friction::without_matrix(problem)? {
         return Ok(found);
     }
     Ok(without_friction::active_set(problem, memory)?.into())

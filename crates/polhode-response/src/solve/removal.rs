@@ -63,7 +63,7 @@ pub fn remove(
         }
     }
     let Limits { allowed, negligible, opened } = limits;
-    let delassus = rows.delassus();
+    let delassus = way::matrix(rows)?;
     let reactions = LeastNormHold::factor_open(&delassus, opened)?.solve(&delassus, values)?;
     let change = change_by(&reactions)?;
     let is_moderate = largest(values) > negligible || change <= MODERATE_AMPLIFICATION * largest(values);

@@ -31,13 +31,13 @@ pub(super) fn solve(problem: &RowProblem<'_>, blocks: &Blocks, memory: &mut Memo
         let least = if let Some(forest) = way::trees(rows, problem.joints.clone()) {
             beside(problem, &forest)?
         } else {
-            rows.delassus_into(&mut memory.delassus);
+            way::matrix_into(rows, &mut memory.delassus)?;
             least_norm_forces(rows, &memory.delassus, constants)?
         };
         return Ok(Answer::from(least));
     }
     let delassus = &mut memory.delassus;
-    rows.delassus_into(delassus);
+    way::matrix_into(rows, delassus)?;
     let least = least_norm_sliding_forces(rows, delassus, constants, &sliding)?;
     within_cones((delassus, held, &sliding), blocks, least)
 }

@@ -81,7 +81,14 @@ impl StepMemory {
     }
 
     /// The problem of some rows; `start` gives reactions of a similar problem, one for each row, where they are used.
-    pub fn problem<'a>(&'a mut self, of: StepRows<'a>, start: impl FnOnce() -> Option<Vec<f64>>) -> StepProblem<'a> {
+    ///
+    /// # Errors
+    /// When rows that need their matrix are too many for it.
+    pub fn problem<'a>(
+        &'a mut self,
+        of: StepRows<'a>,
+        start: impl FnOnce() -> Option<Vec<f64>>,
+    ) -> Result<StepProblem<'a>, ResponseError> {
         let StepRows { problem, contacts, group } = of;
         let (rows, constants) = (problem.rows, problem.known.constants);
         let system = if let Some(first) = group.filter(|_| way::is_in_bodies(rows, contacts)) {
@@ -93,11 +100,11 @@ impl StepMemory {
             let start = start().map(of_others);
             System::Beside { delassus: forest.beside(rows).delassus, forest, start }
         } else {
-            System::Rows(rows.delassus())
+            System::Rows(way::matrix(rows)?)
         };
         let settings = BodySettings { rounds_of_sweeps: self.rounds_of_sweeps, ..SETTINGS_IN_BODIES };
         let most_rows = if self.rounds_of_sweeps > 0 { STEP_MOST_ROWS_IN_HEAPS } else { STEP_MOST_ROWS };
-        StepProblem { rows, constants, system, settings, most_rows, factorisations: 0 }
+        Ok(StepProblem { rows, constants, system, settings, most_rows, factorisations: 0 })
     }
 }
 
@@ -183,7 +190,7 @@ impl StepProblem<'_> {
                     blocks.solve_in_bodies(problem, constants, start.as_deref(), (solver, &self.settings))?;
                 self.factorisations += effort.factorisations;
                 if solved.report.status != SolverStatus::Solved && problem.len() <= self.most_rows {
-                    take_better(&mut solved, blocks.solve(&problem.delassus(), constants, None, &exact())?);
+                    take_better(&mut solved, blocks.solve(&way::matrix(problem)?, constants, None, &exact())?);
                 }
                 *start = Some(solved.reactions.clone());
                 Ok(solved)
@@ -209,7 +216,7 @@ impl StepProblem<'_> {
 #[cfg_attr(feature = "census", track_caller)]
 pub(super) fn solve(problem: &RowProblem<'_>, blocks: &Blocks) -> Result<Answer, ResponseError> {
     let rows = StepRows { problem: problem.clone(), contacts: blocks.contacts(), group: Some(0) };
-    Ok(StepMemory::default().problem(rows, || None).solve(blocks, |_| false)?.into())
+    Ok(StepMemory::default().problem(rows, || None)?.solve(blocks, |_| false)?.into())
 }
 
 /// Takes the other answer if its residual is smaller.

@@ -7,12 +7,15 @@
 //! | forces on bodies at rest | the matrix of all rows, least norm | 100 contacts | the accelerations of bodies |
 //! | any, beside joints | the matrix of all rows | 24 rows of joints, 100 with loops | trees are eliminated first |
 //! | impulses of an impact with friction | the matrix of all rows | 144 rows | the velocities of bodies |
+//! | anything | | 4000 rows | the velocities of bodies where they can give it, else an error: no matrix is formed |
 //!
 //! The matrix of `n` rows takes `n^2` numbers and its factors `n^3` products; factors of bodies take as many as there
 //! are bodies and contacts between them. Where one way does not come to the residual asked for, the other is tried,
 //! unless the rows are too many for their matrix. Measured by `cargo xtask census` (docs/census.md) and the benches of
 //! this crate.
 
+use crate::delassus::Delassus;
+use crate::error::ResponseError;
 use crate::problem::ContactProblem;
 use crate::sparse::HeldForest;
 use std::ops::Range;
@@ -48,6 +51,9 @@ pub(crate) const IMPACT_IN_BODIES: usize = 144;
 /// (200 to 600).
 pub(crate) const IMPACT_MOST_ROWS: usize = 400;
 
+/// Most rows whose matrix is formed (2000 to 8000): it has 128 MB then, and its factorisation takes 2e10 products.
+const MATRIX_MOST_ROWS: usize = 4000;
+
 /// Most rows for Newton's method with steps of least norm, whose factorisation is dense.
 pub(crate) const LEAST_NORM_MOST_ROWS: usize = 120;
 
@@ -81,6 +87,33 @@ pub(super) fn is_many_at_rest(problem: &ContactProblem, contacts: usize) -> bool
     each_for * contacts >= REST_IN_BODIES
 }
 
+/// Whether so many rows have no matrix.
+pub(super) const fn have_no_matrix(rows: usize) -> bool {
+    rows > MATRIX_MOST_ROWS
+}
+
+/// The matrix of all rows.
+///
+/// # Errors
+/// When they are too many for it.
+pub(super) fn matrix(rows: &ContactProblem) -> Result<Delassus, ResponseError> {
+    let mut delassus = Delassus::default();
+    matrix_into(rows, &mut delassus)?;
+    Ok(delassus)
+}
+
+/// The same, in memory that is used again.
+///
+/// # Errors
+/// When they are too many for it.
+pub(super) fn matrix_into(rows: &ContactProblem, delassus: &mut Delassus) -> Result<(), ResponseError> {
+    if have_no_matrix(rows.len()) {
+        return Err(ResponseError::TooManyRows { rows: rows.len(), limit: MATRIX_MOST_ROWS });
+    }
+    rows.delassus_into(delassus);
+    Ok(())
+}
+
 /// Whether so many contacts of one pair of bodies are many: some of them stand for all.
 pub const fn are_many_of_a_pair(contacts: usize) -> bool {
     contacts > MANY_OF_A_PAIR
@@ -101,5 +134,5 @@ pub fn trees(problem: &ContactProblem, joints: Range<usize>) -> Option<HeldFores
     let forest = HeldForest::of(problem, joints.clone())?;
     let has_loops = forest.others().iter().any(|row| joints.contains(row));
     let least = if has_loops { TREES_WITH_LOOPS } else { TREES };
-    (forest.held() >= least).then_some(forest)
+    (forest.held() >= least && !have_no_matrix(forest.others().len())).then_some(forest)
 }

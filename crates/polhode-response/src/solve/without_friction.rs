@@ -20,12 +20,25 @@ pub(super) fn active_set(problem: &RowProblem<'_>, memory: &mut Memory) -> Resul
     let found = if let Some(forest) = way::trees(rows, joints.clone()) {
         active_set.solve_with_forest(rows, &forest, constants, *start)
     } else {
-        rows.delassus_into(delassus);
+        way::matrix_into(rows, delassus)?;
         active_set.solve(rows, delassus, constants, *start).cloned()
     };
     // The next problem has a noise of its own.
     active_set.set_settings(SolverSettings::default());
     found
+}
+
+/// What rows take that are too many for a matrix, in the velocities of bodies. None for others, and beside trees of
+/// joints.
+#[cfg_attr(feature = "census", track_caller)]
+pub(super) fn without_matrix(problem: &RowProblem<'_>) -> Result<Option<Answer>, ResponseError> {
+    let RowProblem { rows, joints, known: Question { constants, .. } } = problem;
+    if !(way::have_no_matrix(rows.len()) && way::is_plain(rows)) || way::trees(rows, joints.clone()).is_some() {
+        return Ok(None);
+    }
+    let system = (&mut BodySolver::default(), &BodySettings::default());
+    let (solved, _) = Blocks::of(rows).solve_in_bodies(rows, constants, None, system)?;
+    Ok(Some(Answer::from(solved)))
 }
 
 /// What removes many overlaps, found in the displacements of bodies: without a matrix of their rows, which grows with

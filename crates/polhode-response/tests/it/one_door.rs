@@ -173,6 +173,45 @@ fn gaps_are_removed_as_far_as_is_allowed() {
     assert!(part.is_partial && change_of(&problem.response(&part.reactions).unwrap()) <= 1e-4 * (1.0 + 1e-12));
 }
 
+/// Many boxes beside each other on two feet each: no matrix of their rows is formed. The boxes stand, with friction and
+/// without, and what needs the matrix is refused.
+#[test]
+fn of_too_many_rows_no_matrix_is_formed() {
+    let (boxes, mass) = (1500, 2.0);
+    let one = [1.0 / mass, 0.0, 0.0, 0.0, 1.0 / mass, 0.0, 0.0, 0.0, 1.0];
+    let rows_of = |friction: bool| {
+        let mut problem = ContactProblem::new(3, one.repeat(boxes)).unwrap();
+        for (body, x) in (0..boxes).flat_map(|body| [(body, -1.0), (body, 1.0)]) {
+            let normal: &[(usize, &[f64])] = &[(body, &[0.0, 1.0, x])];
+            let tangent: &[(usize, &[f64])] = &[(body, &[1.0, 0.0, 1.0])];
+            if friction {
+                problem.push_block(Law::Cone { rows: 2, friction: 0.5 }, &[normal, tangent]).unwrap();
+            } else {
+                problem.push_row(normal).unwrap();
+                problem.push_row(normal).unwrap();
+            }
+        }
+        problem
+    };
+    let memory = &mut Memory::default();
+    for friction in [true, false] {
+        let problem = rows_of(friction);
+        let pushed = |row: usize| if !friction || row.is_multiple_of(2) { -G } else { 0.1 * G };
+        let constants: Vec<f64> = (0..problem.len()).map(pushed).collect();
+        let asked = RowProblem::new(&problem, &constants);
+        for ask in [Ask::Instant, Ask::Displacement { accuracy: 1e-9 }] {
+            let found = solve(&asked, ask, memory).unwrap();
+            assert_eq!(found.report.status, SolverStatus::Solved, "{ask:?}: {:?}", found.report);
+            let moved = found.velocities.iter().fold(0.0, |most: f64, own| most.max(own.abs()));
+            assert!(moved < 1e-8 * G, "{ask:?}, friction {friction}: {moved}");
+        }
+        for ask in [Ask::HoldAll, Ask::LeastForce] {
+            let refused = solve(&asked, ask, memory);
+            assert_eq!(refused, Err(ResponseError::TooManyRows { rows: 6000, limit: 4000 }), "{ask:?}");
+        }
+    }
+}
+
 /// What is no problem: numbers that are none, lists of another length, blocks of rows that do not exist, rows that
 /// contradict each other. Errors name what is wrong; a contradiction is no error, and is not solved.
 #[test]

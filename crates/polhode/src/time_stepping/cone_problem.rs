@@ -8,7 +8,7 @@ use super::last_forces::LastForces;
 use crate::rows::assembly::Assembly;
 use crate::solve::cone_violation::{CONE_LIMIT, ConeViolation};
 use polhode_response::solve::step::{StepMemory, StepProblem, StepRows};
-use polhode_response::{Question, WarmStart};
+use polhode_response::{Question, ResponseError, WarmStart};
 
 /// Reactions whose violation of Coulomb's law is beyond this part of its limit are solved for to rounding (no unit,
 /// 0.01 to 1).
@@ -39,13 +39,16 @@ impl ConeSolvers {
     }
 
     /// The problem of the rows of an assembly, the first of which are these contacts, in a step of `h` (s).
+    ///
+    /// # Errors
+    /// When rows that need their matrix are too many for it.
     pub(super) fn problem<'a>(
         &'a mut self,
         assembly: &'a Assembly,
         constants: &'a [f64],
         known: &'a KnownOfGroup,
         h: f64,
-    ) -> StepProblem<'a> {
+    ) -> Result<StepProblem<'a>, ResponseError> {
         let KnownOfGroup { contacts, ref carried, noise_floor } = *known;
         let problem = assembly.with(Question { constants, start: Some(carried), noise_floor, blocks: None });
         let rows = StepRows { problem, contacts, group: assembly.bodies().first().copied() };
@@ -126,7 +129,7 @@ mod tests {
         assert!(is_in_bodies(&assembly.problem, touches.len()), "{} contacts", touches.len());
         let known = KnownOfGroup { contacts: touches.len(), carried: WarmStart::default(), noise_floor: 0.0 };
         let mut solvers = ConeSolvers::default();
-        let mut problem = solvers.problem(&assembly, &constants, &known, 1.0 / 60.0);
+        let mut problem = solvers.problem(&assembly, &constants, &known, 1.0 / 60.0).unwrap();
         assert!(problem.is_started_from());
         let in_bodies = problem.solve(&blocks, |_| false).unwrap();
         assert!(problem.factorisations() > 0 && in_bodies.report.residual < 1e-11, "{:?}", in_bodies.report);
@@ -134,7 +137,7 @@ mod tests {
         let question = Question { constants: &constants, start: Some(&known.carried), ..Question::default() };
         let few = StepRows { problem: assembly.with(question), contacts: touches.len(), group: None };
         let mut memory = StepMemory::default();
-        let mut problem = memory.problem(few, || None);
+        let mut problem = memory.problem(few, || None).unwrap();
         assert!(!problem.is_started_from());
         let for_rows = problem.solve(&blocks, |_| false).unwrap();
         assert_eq!(for_rows.report.status, SolverStatus::Solved);

@@ -452,7 +452,7 @@ fn settle(
     let (mut rounds, mut factorisations) = (0, 0);
     loop {
         let mut friction: Vec<Option<TangentialRow>> = first.to_vec();
-        let mut problem = solvers.problem(assembly, &constants, known, h);
+        let mut problem = solvers.problem(assembly, &constants, known, h)?;
         let mut solved = loop {
             let mut blocks = with_rotations(blocks(&friction, tangents), rotations);
             blocks.hold(friction.len()..*first_tangent);

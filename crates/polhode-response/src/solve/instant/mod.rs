@@ -67,7 +67,10 @@ pub(super) fn solve(problem: &RowProblem<'_>, blocks: &Blocks, ask: Ask<'_>) -> 
     {
         return Ok(Answer::from(held));
     }
-    let delassus = problem.rows.delassus();
+    if way::have_no_matrix(problem.rows.len()) && way::is_plain(problem.rows) {
+        return Ok(Answer::from(terms.in_bodies()?));
+    }
+    let delassus = way::matrix(problem.rows)?;
     let rounded = |solved: BlocksSolution, choice: Option<Choice>| {
         let rounding = rounding_of(&delassus, &solved.reactions);
         Answer { choice, rounding, ..Answer::from(solved) }
