@@ -2,7 +2,7 @@
 
 use super::answer::Answer;
 use super::problem::{Ask, Question, RowProblem};
-use super::way;
+use super::{matrix, way};
 use crate::dense::householder::PivotedQr;
 use crate::dense::kernels::dot;
 use crate::error::{ResponseError, check_length};
@@ -25,7 +25,7 @@ pub(super) fn hold(problem: &RowProblem<'_>, ask: Ask<'_>) -> Result<Answer, Res
     {
         return Ok(hold_beside(rows, &forest, constants, 0.0)?.into());
     }
-    let delassus = way::matrix(rows)?;
+    let delassus = matrix::of(rows)?;
     let reactions = LeastNormHold::factor(&delassus)?.solve(&delassus, constants)?;
     let left = delassus.times(&reactions)?.iter().zip(*constants).map(|(given, constant)| given + constant).collect();
     Ok(Answer { reactions, velocities: left, ..Answer::default() })

@@ -1,7 +1,7 @@
 //! Impacts: rows that approach are struck by a law of restitution, with friction or without.
 
+use super::matrix;
 use super::problem::Memory;
-use super::way;
 use crate::error::{ResponseError, check_length};
 use crate::friction::Blocks;
 use crate::impact::friction::reversal::reversal;
@@ -98,7 +98,7 @@ pub fn strike(impact: &Impact<'_>, memory: &mut Memory) -> Result<Struck, Respon
         Strikes::Blocks(of_blocks) => return strike_blocks(impact, &of_blocks),
         Strikes::Rows { law, order, settings } => {
             let Memory { active_set, delassus } = memory;
-            way::matrix_into(contacts, delassus)?;
+            matrix::fill(delassus, contacts)?;
             let problem = ImpactProblem { contacts, delassus, u_before, restitution, settings };
             match order {
                 Some(order) => law.resolve_in_order(&problem, active_set, order),
@@ -118,7 +118,7 @@ fn strike_blocks(impact: &Impact<'_>, by: &BlockLaw<'_>) -> Result<Struck, Respo
     if let Blow::Jam(accelerations) = blow {
         check_length("accelerations of rows", rows.len(), accelerations.len())?;
     }
-    let delassus = way::matrix(rows)?;
+    let delassus = matrix::of(rows)?;
     let settings = settings_for(before, by);
     let mut restitution = of_contacts.to_vec();
     // Joints have no restitution.

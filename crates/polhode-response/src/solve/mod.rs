@@ -8,6 +8,7 @@
 //! | [`problem`] | [`Ask`], [`RowProblem`], [`Question`], [`Memory`] |
 //! | [`answer`] | [`Answer`] |
 //! | [`way`] | which way a problem of a size goes: all thresholds |
+//! | `matrix` | the matrix of all rows, of those that are not too many |
 //! | `without_friction` | rows that push and hold: the active set, beside trees of joints or with all rows |
 //! | [`instant`] | blocks with friction at an instant, and at rest |
 //! | `stage` | rows that hold while contacts slide as they are said to |
@@ -20,6 +21,7 @@ pub mod answer;
 pub mod held;
 pub mod impact;
 pub mod instant;
+mod matrix;
 pub mod problem;
 pub mod removal;
 mod stage;
@@ -85,7 +87,7 @@ pub fn solve(problem: &RowProblem<'_>, ask: Ask<'_>, memory: &mut Memory) -> Res
 #[cfg_attr(feature = "census", track_caller)]
 fn by_the_thesis(problem: &RowProblem<'_>, ask: Ask<'_>, memory: &mut Memory) -> Result<Answer, ResponseError> {
     let (delassus, settings) = (&mut memory.delassus, SolverSettings::default());
-    way::matrix_into(problem.rows, delassus)?;
+    matrix::fill(delassus, problem.rows)?;
     Ok(match ask {
         Ask::Guesses => guesses(delassus, problem.known.constants, &settings)?.into(),
         _ => least_force(delassus, problem.known.constants, &settings)?.into(),

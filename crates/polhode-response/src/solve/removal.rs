@@ -5,7 +5,7 @@
 //! next to nothing, is removed in part only.
 
 use super::held::hold_beside;
-use super::way;
+use super::{matrix, way};
 use crate::delassus::Delassus;
 use crate::dense::kernels::largest;
 use crate::error::ResponseError;
@@ -63,7 +63,7 @@ pub fn remove(
         }
     }
     let Limits { allowed, negligible, opened } = limits;
-    let delassus = way::matrix(rows)?;
+    let delassus = matrix::of(rows)?;
     let reactions = LeastNormHold::factor_open(&delassus, opened)?.solve(&delassus, values)?;
     let change = change_by(&reactions)?;
     let is_moderate = largest(values) > negligible || change <= MODERATE_AMPLIFICATION * largest(values);

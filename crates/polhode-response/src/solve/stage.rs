@@ -7,7 +7,7 @@
 
 use super::answer::Answer;
 use super::problem::{Memory, RowProblem};
-use super::way;
+use super::{matrix, way};
 use crate::delassus::Delassus;
 use crate::error::ResponseError;
 use crate::friction::Blocks;
@@ -31,13 +31,13 @@ pub(super) fn solve(problem: &RowProblem<'_>, blocks: &Blocks, memory: &mut Memo
         let least = if let Some(forest) = way::trees(rows, problem.joints.clone()) {
             beside(problem, &forest)?
         } else {
-            way::matrix_into(rows, &mut memory.delassus)?;
+            matrix::fill(&mut memory.delassus, rows)?;
             least_norm_forces(rows, &memory.delassus, constants)?
         };
         return Ok(Answer::from(least));
     }
     let delassus = &mut memory.delassus;
-    way::matrix_into(rows, delassus)?;
+    matrix::fill(delassus, rows)?;
     let least = least_norm_sliding_forces(rows, delassus, constants, &sliding)?;
     within_cones((delassus, held, &sliding), blocks, least)
 }

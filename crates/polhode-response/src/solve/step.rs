@@ -14,6 +14,7 @@
 //! matrix, and the better answer is taken. What is left is told.
 
 use super::answer::Answer;
+use super::matrix;
 use super::problem::{Memory, RowProblem};
 use super::way::{self, STEP_MOST_ROWS, STEP_MOST_ROWS_IN_HEAPS};
 use super::without_friction::active_set;
@@ -100,7 +101,7 @@ impl StepMemory {
             let start = start().map(of_others);
             System::Beside { delassus: forest.beside(rows).delassus, forest, start }
         } else {
-            System::Rows(way::matrix(rows)?)
+            System::Rows(matrix::of(rows)?)
         };
         let settings = BodySettings { rounds_of_sweeps: self.rounds_of_sweeps, ..SETTINGS_IN_BODIES };
         let most_rows = if self.rounds_of_sweeps > 0 { STEP_MOST_ROWS_IN_HEAPS } else { STEP_MOST_ROWS };
@@ -190,7 +191,7 @@ impl StepProblem<'_> {
                     blocks.solve_in_bodies(problem, constants, start.as_deref(), (solver, &self.settings))?;
                 self.factorisations += effort.factorisations;
                 if solved.report.status != SolverStatus::Solved && problem.len() <= self.most_rows {
-                    take_better(&mut solved, blocks.solve(&way::matrix(problem)?, constants, None, &exact())?);
+                    take_better(&mut solved, blocks.solve(&matrix::of(problem)?, constants, None, &exact())?);
                 }
                 *start = Some(solved.reactions.clone());
                 Ok(solved)

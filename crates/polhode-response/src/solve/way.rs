@@ -14,8 +14,6 @@
 //! unless the rows are too many for their matrix. Measured by `cargo xtask census` (docs/census.md) and the benches of
 //! this crate.
 
-use crate::delassus::Delassus;
-use crate::error::ResponseError;
 use crate::problem::ContactProblem;
 use crate::sparse::HeldForest;
 use std::ops::Range;
@@ -52,7 +50,7 @@ pub(crate) const IMPACT_IN_BODIES: usize = 144;
 pub(crate) const IMPACT_MOST_ROWS: usize = 400;
 
 /// Most rows whose matrix is formed (2000 to 8000): it has 128 MB then, and its factorisation takes 2e10 products.
-const MATRIX_MOST_ROWS: usize = 4000;
+pub(super) const MATRIX_MOST_ROWS: usize = 4000;
 
 /// Most rows for Newton's method with steps of least norm, whose factorisation is dense.
 pub(crate) const LEAST_NORM_MOST_ROWS: usize = 120;
@@ -90,28 +88,6 @@ pub(super) fn is_many_at_rest(problem: &ContactProblem, contacts: usize) -> bool
 /// Whether so many rows have no matrix.
 pub(super) const fn have_no_matrix(rows: usize) -> bool {
     rows > MATRIX_MOST_ROWS
-}
-
-/// The matrix of all rows.
-///
-/// # Errors
-/// When they are too many for it.
-pub(super) fn matrix(rows: &ContactProblem) -> Result<Delassus, ResponseError> {
-    let mut delassus = Delassus::default();
-    matrix_into(rows, &mut delassus)?;
-    Ok(delassus)
-}
-
-/// The same, in memory that is used again.
-///
-/// # Errors
-/// When they are too many for it.
-pub(super) fn matrix_into(rows: &ContactProblem, delassus: &mut Delassus) -> Result<(), ResponseError> {
-    if have_no_matrix(rows.len()) {
-        return Err(ResponseError::TooManyRows { rows: rows.len(), limit: MATRIX_MOST_ROWS });
-    }
-    rows.delassus_into(delassus);
-    Ok(())
 }
 
 /// Whether so many contacts of one pair of bodies are many: some of them stand for all.

@@ -1,6 +1,7 @@
 //! Rows that push and rows that hold.
 
 use super::answer::Answer;
+use super::matrix;
 use super::problem::{Memory, Question, RowProblem};
 use super::way::{self, DISPLACEMENT_IN_BODIES};
 use crate::complementarity::ContactSolution;
@@ -20,7 +21,7 @@ pub(super) fn active_set(problem: &RowProblem<'_>, memory: &mut Memory) -> Resul
     let found = if let Some(forest) = way::trees(rows, joints.clone()) {
         active_set.solve_with_forest(rows, &forest, constants, *start)
     } else {
-        way::matrix_into(rows, delassus)?;
+        matrix::fill(delassus, rows)?;
         active_set.solve(rows, delassus, constants, *start).cloned()
     };
     // The next problem has a noise of its own.

@@ -19,7 +19,7 @@ pub use terms::{SLIDING_ROUNDING, STICKING_ACCELERATION};
 use self::terms::{At, Terms, rounding_of};
 use super::answer::{Answer, Choice};
 use super::problem::{Ask, RowProblem};
-use super::way;
+use super::{matrix, way};
 use crate::error::ResponseError;
 use crate::friction::{Blocks, BlocksSolution, FrictionSettings};
 use crate::report::{SolverReport, SolverStatus};
@@ -70,7 +70,7 @@ pub(super) fn solve(problem: &RowProblem<'_>, blocks: &Blocks, ask: Ask<'_>) -> 
     if way::have_no_matrix(problem.rows.len()) && way::is_plain(problem.rows) {
         return Ok(Answer::from(terms.in_bodies()?));
     }
-    let delassus = way::matrix(problem.rows)?;
+    let delassus = matrix::of(problem.rows)?;
     let rounded = |solved: BlocksSolution, choice: Option<Choice>| {
         let rounding = rounding_of(&delassus, &solved.reactions);
         Answer { choice, rounding, ..Answer::from(solved) }

@@ -14,7 +14,7 @@ use crate::least_norm_hold::LeastNormForces;
 use crate::report::{Method, SolverReport};
 use crate::sliding::{SlidingRow, least_norm_sliding_forces, motion_depends_on_choice};
 use crate::solve::answer::Choice;
-use crate::solve::way;
+use crate::solve::matrix;
 
 /// The rows of a problem in the order that [`least_norm_sliding_forces`] asks for.
 struct RowOrder {
@@ -77,7 +77,7 @@ pub(super) fn all_hold(terms: Terms<'_>) -> Result<Option<HoldingWhileSliding>, 
     let order = RowOrder::new(terms.rows.len(), &contacts);
     let RowOrder { held, ref sliding, .. } = order;
     let ordered = terms.rows.with_rows(&order.order);
-    let delassus = way::matrix(&ordered)?;
+    let delassus = matrix::of(&ordered)?;
     let wedges = |row: &SlidingRow| {
         delassus.get(row.normal, row.normal) <= row.coefficient * delassus.get(row.normal, row.tangent)
     };

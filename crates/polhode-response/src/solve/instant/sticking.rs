@@ -15,7 +15,7 @@ use crate::friction::{BlocksSolution, ContactStatus, FallbackPolicy, FrictionSet
 use crate::least_norm_hold::{LeastNormForces, least_norm_forces};
 use crate::problem::ContactProblem;
 use crate::report::{Method, SolverReport, SolverStatus};
-use crate::solve::way;
+use crate::solve::matrix;
 
 /// Convex programmes of the cone problem at an instant at which nothing slides yet (8 to 64): without its answer the
 /// motion cannot begin.
@@ -182,7 +182,7 @@ fn least_change(
     let own: Vec<usize> = normals.chain(contacts.joints.iter().copied()).chain(bounded).collect();
     let active = rows.with_rows(&own);
     let of_own: Vec<f64> = own.iter().map(|&row| left[row]).collect();
-    let change = least_norm_forces(&active, &way::matrix(&active)?, &of_own)?;
+    let change = least_norm_forces(&active, &matrix::of(&active)?, &of_own)?;
     let mut forces = vec![0.0; left.len()];
     own.into_iter().zip(change.forces).for_each(|(row, change)| forces[row] = change);
     Ok(LeastNormForces { forces, loads: change.loads })
