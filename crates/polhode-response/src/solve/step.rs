@@ -16,7 +16,7 @@
 use super::answer::Answer;
 use super::matrix;
 use super::problem::{Memory, RowProblem};
-use super::way::{self, STEP_MOST_ROWS, STEP_MOST_ROWS_IN_HEAPS};
+use super::way::{self, STEP_MOST_ROWS};
 use super::without_friction::active_set;
 use crate::complementarity::ContactSolution;
 use crate::delassus::Delassus;
@@ -104,8 +104,7 @@ impl StepMemory {
             System::Rows(matrix::of(rows)?)
         };
         let settings = BodySettings { rounds_of_sweeps: self.rounds_of_sweeps, ..SETTINGS_IN_BODIES };
-        let most_rows = if self.rounds_of_sweeps > 0 { STEP_MOST_ROWS_IN_HEAPS } else { STEP_MOST_ROWS };
-        Ok(StepProblem { rows, constants, system, settings, most_rows, factorisations: 0 })
+        Ok(StepProblem { rows, constants, system, settings, factorisations: 0 })
     }
 }
 
@@ -116,8 +115,6 @@ pub struct StepProblem<'a> {
     constants: &'a [f64],
     system: System<'a>,
     settings: BodySettings,
-    /// Most rows whose matrix is formed where the velocities of bodies were not solved for exactly enough.
-    most_rows: usize,
     factorisations: usize,
 }
 
@@ -190,7 +187,7 @@ impl StepProblem<'_> {
                 let (mut solved, effort) =
                     blocks.solve_in_bodies(problem, constants, start.as_deref(), (solver, &self.settings))?;
                 self.factorisations += effort.factorisations;
-                if solved.report.status != SolverStatus::Solved && problem.len() <= self.most_rows {
+                if solved.report.status != SolverStatus::Solved && problem.len() <= STEP_MOST_ROWS {
                     take_better(&mut solved, blocks.solve(&matrix::of(problem)?, constants, None, &exact())?);
                 }
                 *start = Some(solved.reactions.clone());

@@ -24,9 +24,6 @@ pub(super) const STEP_IN_BODIES: usize = 16;
 /// Most rows whose matrix is formed where the velocities of bodies were not solved for exactly enough (200 to 600).
 pub(super) const STEP_MOST_ROWS: usize = 400;
 
-/// The same in the steps of heaps, which have many such groups (60 to 150).
-pub(super) const STEP_MOST_ROWS_IN_HEAPS: usize = 100;
-
 /// From so many contacts in a group on overlaps are removed in the displacements of bodies (48 to 200).
 pub(super) const DISPLACEMENT_IN_BODIES: usize = 64;
 

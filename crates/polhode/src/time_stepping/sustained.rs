@@ -264,33 +264,23 @@ fn thin_out(near: &[NearContact], rows: &[Row], taken: &mut [bool]) {
     }
 }
 
-/// Adds the rows that close with the present velocities; of pairs with many contacts the one that closes most. Among
-/// many rows those are added, too, that are as near to closing as the worst one is beyond it: they would close next.
-/// Returns whether any closes.
+/// Adds the rows that close with the present velocities; of pairs with many contacts the one that closes most. Rows that
+/// are near to closing are left out: most of them stay open, and each makes the next problem larger. Returns whether
+/// any closes.
 fn add_closing(model: &Model, states: &[BodyState], near: &[NearContact], rows: &[Row], taken: &mut [bool]) -> bool {
     // Impulses have moved nothing: the contact is where it was.
     let rate = |row: &Row| with_rate_at_point(model, states, near[row.contact].id, row.kinematics).separation_rate;
-    let rates: Vec<f64> = rows.iter().zip(&*taken).map(|(row, taken)| if *taken { 0.0 } else { rate(row) }).collect();
-    let left: Vec<usize> = (0..rows.len()).filter(|&index| !taken[index]).collect();
-    let speed = |index: usize| rates[index] + rows[index].bound;
-    let closes = |index: usize| rows[index].closes(rates[index]);
-    let worst = left.iter().filter(|&&index| closes(index)).map(|&index| -speed(index)).fold(0.0, f64::max);
-    let margin = if way::are_many(rows.len()) { worst } else { 0.0 };
     let mut added = false;
     for of_pair in pairs(near, rows) {
-        let closing = of_pair.clone().filter(|&index| !taken[index] && closes(index));
-        if way::are_many_of_a_pair(of_pair.len()) {
-            if let Some(index) = closing.min_by(|&a, &b| speed(a).total_cmp(&speed(b))) {
-                taken[index] = true;
-                added = true;
-            }
-            continue;
+        let is_crowd = way::are_many_of_a_pair(of_pair.len());
+        let open = of_pair.filter(|&index| !taken[index]).map(|index| (index, rate(&rows[index])));
+        let mut closing: Vec<(usize, f64)> = open.filter(|&(index, rate)| rows[index].closes(rate)).collect();
+        if is_crowd {
+            let speed = |&(index, rate): &(usize, f64)| rate + rows[index].bound;
+            closing = closing.into_iter().min_by(|a, b| speed(a).total_cmp(&speed(b))).into_iter().collect();
         }
-        added |= closing.count() > 0;
-        for index in of_pair {
-            let is_reached = rows[index].is_sustained() || rates[index] < rows[index].rate_before;
-            taken[index] |= taken[index] || closes(index) || (is_reached && speed(index) < margin);
-        }
+        added |= !closing.is_empty();
+        closing.into_iter().for_each(|(index, _)| taken[index] = true);
     }
     added
 }
