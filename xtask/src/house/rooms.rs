@@ -77,8 +77,8 @@ mod tests {
         let source = |path: &str, text: &str| RustSource::new(&format!("{FACADE}/{path}"), text);
         let root = source("lib.rs", "mod identity;\nmod scene;\nmod tier;\npub use tier::facts::TierFacts;\n");
         let facts = source("tier/facts.rs", "use crate::scene::Promise;\npub struct TierFacts;\n");
-        let tier = source("tier/mod.rs", "pub mod facts;\n");
-        check(&[root, facts, tier, source("scene/method.rs", line)]).len()
+        let [identity, scene, tier] = ["identity", "scene", "tier"].map(|room| source(&format!("{room}/mod.rs"), ""));
+        check(&[root, facts, identity, scene, tier, source("scene/method.rs", line)]).len()
     }
 
     #[test]
