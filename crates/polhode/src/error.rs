@@ -106,16 +106,19 @@ pub enum SimulationError {
         /// The most that are accepted.
         limit: usize,
     },
-    /// Gears or prescribed motions of joints ask for what cannot be together.
+    /// Joints, gears or prescribed motions ask for what cannot be together.
     #[error(
-        "{what} contradicts other gears, prescribed motions or joints at t = {t_s} s: no motion of the bodies keeps \
-         all of them; leave one of them out, or give it the motion that the others determine"
+        "{what}, of {}, contradicts other gears, prescribed motions or joints at t = {t_s} s: no motion of the bodies \
+         keeps all of them; leave one of them out, or give it the motion that the others determine",
+        bodies.join(" and ")
     )]
     JointsContradict {
         /// When, s.
         t_s: f64,
         /// One of them, by its number in the scene.
         what: String,
+        /// The bodies that it holds.
+        bodies: Vec<String>,
     },
     /// The data of a contact problem are not valid.
     #[error("the contact problem at t = {t_s} s cannot be set up: {source}")]
@@ -139,8 +142,8 @@ pub enum SimulationError {
     /// A force of the scene is infinite or not a number at the position of a body: at the centre of attraction, for
     /// example.
     #[error(
-        "{force} on body {body} is not finite at t = {t_s} s: its formula is singular at the position of the body; \
-         move the body"
+        "{force} on body {body} is not finite at t = {t_s} s: its formula is singular at the position of the body, or \
+         the program that defines it gives no number there; move the body, or correct the field"
     )]
     ForceNotFinite {
         /// When, s.
@@ -277,6 +280,7 @@ impl SimulationError {
             Self::NoWayOut { body_a, body_b, .. }
             | Self::NoProgress { body_a, body_b, .. }
             | Self::ImpactSearch { body_a, body_b, .. } => vec![body_a, body_b],
+            Self::JointsContradict { bodies, .. } => bodies.iter().take(2).map(String::as_str).collect(),
             _ => Vec::new(),
         }
     }
