@@ -20,7 +20,7 @@ impl Scene {
     }
 
     /// The pose of the moving frame of a body at the start, and its velocity.
-    pub(super) fn motion_at_start(&self, body: usize) -> (Pose, Velocity) {
+    pub(crate) fn motion_at_start(&self, body: usize) -> (Pose, Velocity) {
         let own = &self.bodies[body];
         if let Some(motion) = own.motion() {
             let trajectory = motion.from_pose(&motion.initial_pose(own.initial_pose()));

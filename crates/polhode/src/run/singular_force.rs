@@ -4,7 +4,7 @@
 //! integrated through it. What fails first is then a step, a search or an energy, and its message does not name the
 //! cause. The same holds of a force of a program that becomes NaN. This module evaluates the forces of the scene one by
 //! one at the present states, then where these would be a step later if nothing acted, and names the one that is not
-//! finite or far too strong for the step. A body whose state is lost stands where it was sampled last.
+//! finite or far too strong for the step. A body whose state is lost stands where it began.
 
 use crate::error::SimulationError;
 use crate::model::Model;
@@ -41,17 +41,17 @@ pub(crate) fn explained(error: SimulationError, core: &Core, states: &[BodyState
         return error;
     }
     let (model, h) = (&core.model, core.settings.step_s);
-    let present: Vec<BodyState> = states.iter().enumerate().map(|(body, state)| known(core, body, state)).collect();
+    let present: Vec<BodyState> = states.iter().enumerate().map(|(body, state)| known(model, body, state)).collect();
     let later = present.iter().enumerate().map(|(body, state)| drift(model, body, state, h)).collect();
     let looks = [(core.t, present), (core.t + h, later)];
     let cause = looks.iter().find_map(|(t, states)| not_finite(model, *t, states));
     cause.or_else(|| looks.iter().find_map(|(t, states)| too_strong(core, *t, states))).unwrap_or(error)
 }
 
-/// The state of a body; that of the last sample where it is not finite any more.
-fn known(core: &Core, body: usize, state: &BodyState) -> BodyState {
-    let sampled = || core.last_sample.states.get(body).filter(|state| state.is_finite());
-    if state.is_finite() { *state } else { *sampled().unwrap_or(state) }
+/// The state of a body; at rest where it began, if the state is not finite any more.
+fn known(model: &Model, body: usize, state: &BodyState) -> BodyState {
+    let is_lost = !state.is_finite() && body < model.scene.bodies().len();
+    if is_lost { BodyState::at_rest(model.scene.motion_at_start(body).0) } else { *state }
 }
 
 /// The strongest force at `t` (s) that is far too strong for the step.

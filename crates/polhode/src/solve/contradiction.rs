@@ -38,7 +38,8 @@ pub(crate) fn refuse_contradictions(
     if !are_driven_apart && model.joints.ties_among(bodies).next().is_none() {
         return Ok(());
     }
-    match contradicted(model, t, states, bodies).map_err(|source| SimulationError::of_response(t, source))? {
+    let refused = |source| SimulationError::of_response(t, source).among(model, bodies);
+    match contradicted(model, t, states, bodies).map_err(refused)? {
         None => Ok(()),
         Some(id) => Err(told(model, t, id)),
     }
