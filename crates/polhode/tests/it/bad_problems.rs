@@ -148,7 +148,7 @@ fn a_body_with_hardly_any_inertia_is_named() {
     }
 }
 
-/// A body that turns so fast that its rates overflow: the problem of its joint cannot be set up, and the error names it.
+/// A body that turns so fast that its rates overflow: the error of the problem of its joint names it.
 #[test]
 fn a_problem_that_overflows_names_its_bodies() {
     for tier in [Tier::Accurate, Tier::Stepped] {
