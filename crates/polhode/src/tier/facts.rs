@@ -136,7 +136,7 @@ pub enum TierFeature {
     SequentialImpulses,
     /// Static friction above kinetic, friction along a grain, of rolling and of spinning, and surfaces that move.
     SurfaceEffects,
-    /// Every [`Response`](crate::scene::Response), not only that by constraint.
+    /// Every [`Response`], not only that by constraint.
     Responses,
     /// RK4 for constrained motion too, where the scene names it.
     ConstrainedRk4,
