@@ -3,7 +3,8 @@
 //! the scene's.
 
 use crate::candidate::{Candidate, change};
-use polhode::scene::{ContactMethod, ImpactLaw, Integrator, Response, Tier, TierFeature};
+use polhode::scene::{ContactMethod, ImpactLaw, Integrator, Response, Tier};
+use polhode::tier::TierFeature;
 use polhode_scene::{Override, names};
 
 /// Ratio of a step to the next: 2 shows the order of a method well, 4 spans five decades of error in a few runs.

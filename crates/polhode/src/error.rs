@@ -56,14 +56,17 @@ pub enum SimulationError {
     },
     /// A contact-force or impact problem could not be solved to its tolerance, even by the fallback.
     #[error(
-        "the solver found no contact forces or impulses at t = {t_s} s: the relative residual stays at {residual:e}; \
-         mass ratios or lengths of the scene may differ too much"
+        "the solver found no contact forces or impulses{} at t = {t_s} s: the relative residual stays at {residual:e}; \
+         mass ratios or lengths of the scene may differ too much",
+        of(bodies)
     )]
     ContactSolve {
         /// When, s.
         t_s: f64,
         /// Residual reached, relative.
         residual: f64,
+        /// The bodies of the problem, of many the first; none where it is not known.
+        bodies: Vec<String>,
     },
     /// There are more bodies than the broad phase can number.
     #[error("the broad phase cannot find the pairs of bodies that may touch: {0}")]
@@ -106,41 +109,49 @@ pub enum SimulationError {
         /// The most that are accepted.
         limit: usize,
     },
-    /// Gears or prescribed motions of joints ask for what cannot be together.
+    /// Joints, gears or prescribed motions ask for what cannot be together.
     #[error(
-        "{what} contradicts other gears, prescribed motions or joints at t = {t_s} s: no motion of the bodies keeps \
-         all of them; leave one of them out, or give it the motion that the others determine"
+        "{what}, of {}, contradicts other gears, prescribed motions or joints at t = {t_s} s: no motion of the bodies \
+         keeps all of them; leave one of them out, or give it the motion that the others determine",
+        bodies.join(" and ")
     )]
     JointsContradict {
         /// When, s.
         t_s: f64,
         /// One of them, by its number in the scene.
         what: String,
+        /// The bodies that it holds.
+        bodies: Vec<String>,
     },
     /// The data of a contact problem are not valid.
-    #[error("the contact problem at t = {t_s} s cannot be set up: {source}")]
+    #[error("the contact problem{} at t = {t_s} s cannot be set up: {source}", of(bodies))]
     ContactProblem {
         /// When, s.
         t_s: f64,
+        /// The bodies of the problem, of many the first; none where it is not known.
+        bodies: Vec<String>,
         /// Why.
         source: ResponseError,
     },
     /// Error control asks for a step that is too short to advance time.
     #[error(
-        "error control asks for a step shorter than {smallest_s:e} s at t = {t_s} s, which no longer advances time: \
-         raise method.tolerance, or remove what changes so fast (a stiff spring, a body of very small inertia)"
+        "error control asks for a step{} shorter than {smallest_s:e} s at t = {t_s} s, which no longer advances time: \
+         raise method.tolerance, or remove what changes so fast (a stiff spring, a body of very small inertia)",
+        of(bodies)
     )]
     StepTooSmall {
         /// When, s.
         t_s: f64,
         /// Shortest step allowed, s.
         smallest_s: f64,
+        /// The bodies that make it, of many the first; none where it is not known.
+        bodies: Vec<String>,
     },
     /// A force of the scene is infinite or not a number at the position of a body: at the centre of attraction, for
     /// example.
     #[error(
-        "{force} on body {body} is not finite at t = {t_s} s: its formula is singular at the position of the body; \
-         move the body"
+        "{force} on body {body} is not finite at t = {t_s} s: its formula is singular at the position of the body, or \
+         the program that defines it gives no number there; move the body, or correct the field"
     )]
     ForceNotFinite {
         /// When, s.
@@ -228,6 +239,11 @@ pub enum SimulationError {
     },
 }
 
+/// Whom an error concerns, in a message; nothing where it is not known.
+fn of(bodies: &[String]) -> String {
+    if bodies.is_empty() { String::new() } else { format!(" of {}", bodies.join(" and ")) }
+}
+
 /// Why a search for an impact failed, in the words of a scene: its limit of evaluations is no key of one.
 fn impact_fault(source: &ImpactError) -> String {
     match source {
@@ -242,7 +258,7 @@ fn impact_fault(source: &ImpactError) -> String {
 impl SimulationError {
     /// The error of a contact problem at `t_s` (s) that could not be set up.
     pub(crate) fn of_response(t_s: f64, source: ResponseError) -> Self {
-        Self::ContactProblem { t_s, source }
+        Self::ContactProblem { t_s, source, bodies: Vec::new() }
     }
 
     /// When it happened, s; none of what has no time.
@@ -277,6 +293,10 @@ impl SimulationError {
             Self::NoWayOut { body_a, body_b, .. }
             | Self::NoProgress { body_a, body_b, .. }
             | Self::ImpactSearch { body_a, body_b, .. } => vec![body_a, body_b],
+            Self::JointsContradict { bodies, .. }
+            | Self::ContactProblem { bodies, .. }
+            | Self::ContactSolve { bodies, .. }
+            | Self::StepTooSmall { bodies, .. } => bodies.iter().take(2).map(String::as_str).collect(),
             _ => Vec::new(),
         }
     }

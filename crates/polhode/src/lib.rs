@@ -84,8 +84,8 @@
 //!
 //! | stage | what it does | where |
 //! |---|---|---|
-//! | scene | collects bodies, forces and method, and checks them | `scene/builder.rs` |
-//! | settings | completes the method by the defaults of its tier | `scene/settings.rs` |
+//! | scene | collects bodies, forces and method, and checks them | `scene/builder.rs`, `tier/scene_checks.rs` |
+//! | settings | completes the method by the defaults of its tier | `tier/settings.rs` |
 //! | model | puts bodies into their moving frames, makes force fields | `model` |
 //! | findings | chooses the integrator, tells planar motion | `plan/free_method.rs`, `plan/planar.rs` |
 //! | plan | decides which effects are simulated, and says why | `plan/decisions.rs` |
@@ -123,19 +123,19 @@
 //! | `identity` | what bodies, joints and contacts are called |
 //! | [`mod@report`] | what a run tells: [`RunReport`], [`Ledger`], [`Certificate`], |
 //! | | [`Event`], [`Frame`], [`Observer`] |
-//! | [`mod@scene`] | [`Scene`], [`Body`], [`Geometry`]; materials, forces, motions, methods, the list of tiers |
+//! | [`mod@scene`] | [`Scene`], [`Body`], [`Geometry`]; materials, forces, motions, methods, the names of tiers |
 //! | `snapshot` | [`Snapshot`]: a simulation at one time as bytes |
 //! | `constraint` | what holds bodies together: kinds of joints, their rows, coordinates, stops; times of events |
 //! | `model` | bodies in their moving frames, and the forces on them |
 //! | `collision` | boxes and contacts of pairs |
 //! | `joints` | the joints of a model: whom they hold, what acts along their coordinates |
 //! | `reduced` | trees of joints in the coordinates of the joints |
-//! | [`mod@plan`] | [`Plan`]: the decision about each [`Effect`], with its reason |
 //! | `rows` | rows of contacts and bilateral constraints, by groups of bodies, which the tiers share |
 //! | `solve` | what they are solved for: forces at an instant, impacts, projection |
 //! | `accounting` | books, measures and warnings of a run |
 //! | `time_stepping` | the time step at the level of velocities |
-//! | `tier` | the interface of a tier, and what tiers share |
+//! | [`mod@tier`] | the interface of a tier, what each is ([`tier::TierFacts`]), and what tiers share |
+//! | [`mod@plan`] | [`Plan`]: the decision about each [`Effect`], with its reason |
 //! | `accurate`, `stepped`, `fast`, `micro_collisions`, `penalty`, `thesis` | the tiers |
 //! | `run` | [`Simulation`]: steps, runs, queries, actions, snapshots |
 //!
@@ -165,7 +165,7 @@ mod snapshot;
 mod solve;
 mod stepped;
 mod thesis;
-mod tier;
+pub mod tier;
 mod time_stepping;
 
 pub use action_error::ActionError;

@@ -12,9 +12,11 @@ const CRATES: [&str; 5] = ["polhode", "polhode-scene", "polhode-study", "polhode
 /// The file that lists the tiers, as variants of the enumeration `Tier`.
 const LIST: &str = "crates/polhode/src/scene/tiers.rs";
 
-/// Where a tier may be named: the list, the choice among them, their engines, and each tier's own folder.
-const HOMES: [&str; 9] = [
+/// Where a tier may be named: the list, that of their facts, the choice among them, their engines, and each tier's own
+/// folder.
+const HOMES: [&str; 10] = [
     LIST,
+    "crates/polhode/src/tier/list.rs",
     "crates/polhode/src/tier/choice.rs",
     "crates/polhode/src/run/engines.rs",
     "crates/polhode/src/accurate/",

@@ -9,6 +9,7 @@
 //! | `circles` | files of a crate that import each other |
 //! | `imports` | which files of a crate import which |
 //! | `layers` | arrows between crates; which crates are the core |
+//! | `rooms` | which rooms of the facade a room may import |
 //! | `third_party` | libraries that stay in their private module |
 //! | `rules` | rules about one source file at a time |
 //! | `one_dependency` | the rule that an example names its own crate alone |
@@ -35,6 +36,7 @@ mod module_tables;
 mod one_build;
 mod one_dependency;
 mod project_file;
+mod rooms;
 mod rules;
 mod rust_source;
 mod third_party;
@@ -94,6 +96,7 @@ pub(crate) fn check(root: &Path) -> Vec<Row> {
     rows.push(row("parry3d and clarabel stay in their private module", &third_party::check(&sources)));
     rows.extend(rules::ALL.iter().map(|rule| row(rule.name, &rule.check(&sources))));
     rows.push(row("every module stands in the table of its room", &module_tables::check(&sources)));
+    rows.push(row("rooms import only what they may", &rooms::check(&sources)));
     rows.push(row("kinds of joint named outside of their folder", &kinds_of_joint::check(&sources)));
     rows.push(row("kinds of tier named outside of their folders", &kinds_of_tier::check(&sources)));
     rows.push(row("no two tolerances of one name with two values", &tolerances::check(&sources)));

@@ -10,9 +10,10 @@ use crate::format::{
 };
 use polhode::SceneError;
 use polhode::scene::{
-    ContactMethod, Coordinates, Crowding, ImpactLaw, IntegratorChoice, Method, Orientation, PromiseChanges,
-    PropagationOrder, PulseExponent, Response, RestitutionLaw, RotationRate, TierFeature,
+    ContactMethod, Coordinates, Crowding, ImpactLaw, Method, Orientation, PromiseChanges, PropagationOrder,
+    PulseExponent, Response, RestitutionLaw, RotationRate,
 };
+use polhode::tier::{IntegratorChoice, TierFeature};
 
 /// The method that the file asks for, with these limits.
 pub(super) fn build(entry: &MethodEntry, promise: &PromiseEntry) -> Result<Method, Fault> {

@@ -161,7 +161,7 @@ impl Accounts {
     /// When the problem was not solved to its tolerance.
     pub(crate) fn note_solve(&mut self, t: f64, report: &SolverReport) -> Result<(), SimulationError> {
         if report.status != SolverStatus::Solved {
-            return Err(SimulationError::ContactSolve { t_s: t, residual: report.residual });
+            return Err(SimulationError::ContactSolve { t_s: t, residual: report.residual, bodies: Vec::new() });
         }
         let allowed = self.promise.residual.map_or(f64::INFINITY, |promised| promised.max(report.rounding));
         self.measures.residual.note(Measure { t, pair: (0, 0), value: report.residual, allowed });

@@ -131,7 +131,8 @@ impl Steps for IslandSteps<'_> {
     }
 
     fn too_small(&self, _last: Option<f64>) -> SimulationError {
-        SimulationError::StepTooSmall { t_s: self.t, smallest_s: self.smallest_s() }
+        SimulationError::StepTooSmall { t_s: self.t, smallest_s: self.smallest_s(), bodies: Vec::new() }
+            .among(&self.core.model, self.bodies)
     }
 }
 

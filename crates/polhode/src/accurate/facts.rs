@@ -1,9 +1,10 @@
 //! What the tier `accurate` is.
 
-use crate::scene::tier_facts::LONGEST_STEP_S;
-use crate::scene::tier_facts::{ErrorOrder, FlightRecords, IntegratorChoice, StepLength, TierFacts, TierFeature};
-use crate::scene::{ContactMethod, ImpactLaw, Integrator, OverlapLimit, Promise};
+use crate::scene::{ContactMethod, ImpactLaw, Integrator, OverlapLimit, Promise, Tier};
 use crate::solve::cone_violation::CONE_LIMIT;
+use crate::tier::facts::{
+    ErrorOrder, FlightRecords, IntegratorChoice, LONGEST_STEP_S, StepLength, TierFacts, TierFeature,
+};
 
 /// What it promises (`crate::scene::promise`): a hundred times the error of a step at the default tolerance. What
 /// rounding adds up to in long runs stays below that, and what is wrong is far above.
@@ -19,7 +20,7 @@ const PROMISE: Promise = Promise {
 
 /// The facts.
 pub(crate) const FACTS: TierFacts = TierFacts {
-    name: "accurate",
+    name: Tier::Accurate.name(),
     summary: "Closed-form flight, error-controlled contact phases, located impacts and force events.",
     steps: StepLength::ErrorControlled,
     step_s: LONGEST_STEP_S,

@@ -237,7 +237,7 @@ impl Schedule {
         if !core.model.surfaces.may_collide() {
             return Ok(());
         }
-        let mut near = std::mem::replace(&mut self.near.boxes, Boxes::new(&core.settings, 0));
+        let mut near = std::mem::replace(&mut self.near.boxes, Boxes::new(core.settings.broad_phase, 0));
         // The boxes of a crowd remain those of its collection (`gather`).
         for &body in bodies.iter().filter(|&&body| !matches!(motions.tracks[body].mode, Mode::Crowded(_))) {
             let interval = match &motions.tracks[body].mode {

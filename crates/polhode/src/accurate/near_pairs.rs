@@ -28,7 +28,7 @@ pub(super) struct NearPairs {
 impl NearPairs {
     /// No pairs yet, of this many bodies.
     pub(super) fn new(core: &Core, bodies: usize) -> Self {
-        let boxes = Boxes::new(&core.settings, bodies);
+        let boxes = Boxes::new(core.settings.broad_phase, bodies);
         Self { boxes, watches: BTreeMap::new(), partners: vec![Vec::new(); bodies], flight_end: f64::NEG_INFINITY }
     }
 
@@ -69,7 +69,7 @@ impl NearPairs {
             }
             watches.insert((a, b), Watch { until, impact });
         }
-        let boxes = Boxes::restored(&core.model, &core.settings, &saved.boxes)?;
+        let boxes = Boxes::restored(&core.model, core.settings.broad_phase, &saved.boxes)?;
         Ok(Self { boxes, watches, partners: saved.partners.clone(), flight_end: saved.flight_end })
     }
 

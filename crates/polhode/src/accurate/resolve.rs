@@ -190,10 +190,13 @@ impl Resolution<'_> {
             &settings,
             &mut self.core.memory,
         )
-        .map_err(|source| SimulationError::of_response(self.instant.t, source))?;
+        .map_err(|source| {
+            SimulationError::of_response(self.instant.t, source).among(&self.core.model, &group.bodies)
+        })?;
         let outcome = &struck.outcome;
         if outcome.status == ImpactStatus::NotSolved {
-            return Err(SimulationError::ContactSolve { t_s: self.instant.t, residual: outcome.residual });
+            let unsolved = (self.instant.t, outcome.residual);
+            return Err(SimulationError::not_solved(&self.core.model, unsolved, &group.bodies));
         }
         self.book_struck(&group.contacts, &struck, EventKind::Impact);
         self.core.accounts.note_impact(&self.core.model, self.instant.t, law, &group.bodies, outcome);
@@ -332,14 +335,15 @@ impl Resolution<'_> {
             &members,
             &mut self.core.memory,
         )
-        .map_err(|source| SimulationError::of_response(self.instant.t, source))?;
+        .map_err(|source| {
+            SimulationError::of_response(self.instant.t, source).among(&self.core.model, &group.bodies)
+        })?;
         if forces.jams {
-            return Err(SimulationError::ContactSolve {
-                t_s: self.instant.t,
-                residual: forces.solution.report.residual,
-            });
+            let unsolved = (self.instant.t, forces.solution.report.residual);
+            return Err(SimulationError::not_solved(&self.core.model, unsolved, &group.bodies));
         }
-        self.core.accounts.note_solve(self.instant.t, &forces.solution.report)?;
+        let noted = self.core.accounts.note_solve(self.instant.t, &forces.solution.report);
+        noted.map_err(|error| error.among(&self.core.model, &group.bodies))?;
         self.core.note_friction(self.instant.t, forces.violation);
         if forces.motion_depends_on_choice {
             let names = reported::names_of(&self.core.model, &group.bodies);

@@ -15,7 +15,7 @@
 use super::reduced_step::ReducedStep;
 use super::system::ContactSystem;
 use crate::scene::Coordinates;
-use crate::scene::settings::Settings;
+use crate::tier::settings::Settings;
 use polhode_dynamics::{DenseStep, Dop853, Rk4};
 use polhode_response::ResponseError;
 

@@ -98,7 +98,7 @@ impl Engine {
 
     /// Pairs whose boxes, enlarged by the touch distance, overlap.
     fn initial_pairs(&self, core: &Core) -> Result<Vec<(usize, usize)>, SimulationError> {
-        let mut boxes = Boxes::new(&core.settings, self.motions.states.len());
+        let mut boxes = Boxes::new(core.settings.broad_phase, self.motions.states.len());
         for (body, state) in self.motions.states.iter().enumerate() {
             let margin = tolerances::touch_distance(&core.model, &self.motions.states, body, body);
             boxes.set(&core.model, body, &Still(state.pose), (core.t, core.t), margin);

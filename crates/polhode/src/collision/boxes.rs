@@ -6,7 +6,7 @@
 
 use crate::error::SimulationError;
 use crate::model::Model;
-use crate::scene::settings::Settings;
+use crate::scene::BroadPhaseMethod;
 use crate::snapshot::SnapshotError;
 use crate::snapshot::numbers::Vector;
 use polhode_contact::{Aabb, BroadPhase, Shape, swept_aabb};
@@ -26,10 +26,10 @@ pub(crate) struct Boxes {
 
 impl Boxes {
     /// No boxes yet, for `bodies` bodies.
-    pub(crate) fn new(settings: &Settings, bodies: usize) -> Self {
+    pub(crate) fn new(broad_phase: BroadPhaseMethod, bodies: usize) -> Self {
         Self {
             by_body: vec![None; bodies],
-            broad_phase: settings.broad_phase.build(),
+            broad_phase: broad_phase.build(),
             packed: Vec::new(),
             bodies: Vec::new(),
             pairs: Vec::new(),
@@ -63,13 +63,13 @@ impl Boxes {
     /// When bounds are reversed, or there is not one entry for each body.
     pub(crate) fn restored(
         model: &Model,
-        settings: &Settings,
+        broad_phase: BroadPhaseMethod,
         saved: &[Option<[Vector; 2]>],
     ) -> Result<Self, SnapshotError> {
         if saved.len() != model.bodies.len() {
             return Err(SnapshotError::Invalid("it does not have one box for each body"));
         }
-        let mut boxes = Self::new(settings, saved.len());
+        let mut boxes = Self::new(broad_phase, saved.len());
         for (own, bounds) in boxes.by_body.iter_mut().zip(saved) {
             let Some([min, max]) = *bounds else { continue };
             let aabb = Aabb::new(DVec3::from_array(min), DVec3::from_array(max));

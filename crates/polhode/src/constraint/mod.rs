@@ -34,8 +34,10 @@
 //! | `bilateral`, `row`, `end`, `held` | rows of forces of either sign, their bodies, and whom they hold |
 //! | `breaking`, `released`, `added` | joints that break, let go, or are added by a program |
 //! | `joint_error` | how far joints are from what they keep |
+//! | `at_start`, `tie_checks` | whether the velocities of a scene at the start are what joints and ties leave free |
 //! | `locator` | the time of an event within a step |
 
+mod at_start;
 pub(crate) mod coordinate;
 pub(crate) mod coordinate_at;
 mod cylindrical;
@@ -59,6 +61,7 @@ pub(crate) mod softness;
 pub(crate) mod stop;
 mod thread;
 pub(crate) mod tie;
+mod tie_checks;
 pub(crate) mod track;
 pub(crate) mod track_frame;
 pub(crate) mod track_springs;

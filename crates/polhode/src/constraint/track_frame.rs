@@ -19,12 +19,9 @@
 use super::end::EndKinematics;
 use super::row::{BilateralRow, RowKind};
 use super::track::Guide;
+use crate::scene::LEAST_SINE;
 use polhode_spatial::curve::CurvePoint;
 use polhode_spatial::{DVec3, Rotation};
-
-/// Least sine of the angle between the reference direction and the track (no unit, 1e-3 to 0.1): where they are
-/// parallel no direction is at right angles to both.
-pub(crate) const LEAST_SINE: f64 = 1e-2;
 
 /// What of a body follows the track.
 #[derive(Debug, Clone, PartialEq)]

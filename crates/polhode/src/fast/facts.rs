@@ -1,7 +1,7 @@
 //! What the tier `fast` is.
 
-use crate::scene::tier_facts::{ErrorOrder, FlightRecords, IntegratorChoice, StepLength, TierFacts, TierFeature};
-use crate::scene::{ContactMethod, ImpactLaw, Integrator, OverlapLimit, Promise};
+use crate::scene::{ContactMethod, ImpactLaw, Integrator, OverlapLimit, Promise, Tier};
+use crate::tier::facts::{ErrorOrder, FlightRecords, IntegratorChoice, StepLength, TierFacts, TierFeature};
 
 /// Step when none is given, s: that of a picture.
 const PICTURE_STEP_S: f64 = 1.0 / 60.0;
@@ -26,7 +26,7 @@ const PROMISE: Promise = Promise {
 
 /// The facts.
 pub(crate) const FACTS: TierFacts = TierFacts {
-    name: "fast",
+    name: Tier::Fast.name(),
     summary: "Real time: substeps of soft contacts by sequential impulses, contacts side by side in lanes.",
     steps: StepLength::Fixed,
     step_s: PICTURE_STEP_S,

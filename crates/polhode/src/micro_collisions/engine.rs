@@ -222,7 +222,7 @@ impl Tier for MicroCollisionEngine {
 
     fn contacts(&self, core: &Core, _t: f64, states: &[BodyState]) -> Vec<ContactView> {
         let mut views = Vec::new();
-        let mut boxes = Boxes::new(&core.settings, states.len());
+        let mut boxes = Boxes::new(core.settings.broad_phase, states.len());
         for touch in contacts_within(core, states, &mut boxes, self.envelope.depth_m).unwrap_or_default() {
             let force = self.forces.iter().find(|force| force.id == touch.id);
             let force = force.map_or((0.0, DVec3::ZERO), |force| (force.normal, force.friction));

@@ -1,7 +1,7 @@
 //! What the tier `micro-collisions` is.
 
-use crate::scene::tier_facts::{ErrorOrder, FlightRecords, IntegratorChoice, StepLength, TierFacts, TierFeature};
-use crate::scene::{ContactMethod, ImpactLaw, Integrator, OverlapLimit, Promise, Response};
+use crate::scene::{ContactMethod, ImpactLaw, Integrator, OverlapLimit, Promise, Response, Tier};
+use crate::tier::facts::{ErrorOrder, FlightRecords, IntegratorChoice, StepLength, TierFacts, TierFeature};
 
 /// Step when none is given, s: a body at rest vibrates by a micrometre.
 const STEP_S: f64 = 1e-3;
@@ -23,7 +23,7 @@ const PROMISE: Promise = Promise {
 
 /// The facts.
 pub(crate) const FACTS: TierFacts = TierFacts {
-    name: "micro-collisions",
+    name: Tier::MicroCollisions.name(),
     summary: "Impulses alone, after Mirtich: bodies at rest are held by many small collisions.",
     steps: StepLength::Fixed,
     step_s: STEP_S,

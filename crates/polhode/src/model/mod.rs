@@ -21,12 +21,14 @@
 //! | `body_queries` | [`BodyQueries`](crate::BodyQueries): nearest body, rays, overlaps, distances |
 //! | `narrow_phase` | contacts and separation of a pair of shapes, computed with the memory of the pair |
 //! | `envelope` | the distance from a body within which contacts are looked for |
+//! | `concerned` | the names of the bodies that an error concerns |
 //! | `reported` | bodies as samples and reports show them |
 
 mod bodies;
 mod body;
 pub(crate) mod body_queries;
 mod carriages;
+mod concerned;
 mod energy;
 pub(crate) mod envelope;
 mod field_index;

@@ -1,9 +1,7 @@
 //! How a body is held at its pivot: by constraint rows, or by a reduction of its motion to rotation about the pivot
 //! (`pivots.rs`).
 
-use crate::scene::effects::Effects;
-use crate::scene::settings::Settings;
-use crate::scene::{Body, Integrator, TierFeature};
+use crate::scene::Body;
 use polhode_spatial::{DVec3, Pose, Velocity};
 
 /// Which pivoted bodies constraint rows hold; the motion of the others is reduced to rotation about the pivot.
@@ -16,19 +14,6 @@ pub(crate) enum PivotRows {
     WhereColliding,
     /// All.
     All,
-}
-
-impl PivotRows {
-    /// The choice for a run with these settings: in the tiers of fixed steps, and by integrators that advance bodies
-    /// one by one, pivots have no constraint rows, but for those of jointed bodies.
-    pub(crate) fn of(settings: &Settings, effects: Effects) -> Self {
-        let solves_rows = matches!(settings.named_integrator, None | Some(Integrator::Dop853 | Integrator::Rk4));
-        match effects {
-            _ if !settings.takes(TierFeature::PivotRows) || !solves_rows => Self::None,
-            Effects::Planned => Self::WhereColliding,
-            Effects::All => Self::All,
-        }
-    }
 }
 
 /// The form of the motion of a body in the model.

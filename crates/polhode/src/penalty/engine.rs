@@ -67,7 +67,7 @@ impl PenaltyEngine {
         Self {
             springs: Vec::new(),
             proposed: vec![core.settings.step_s; states.len()],
-            boxes: Boxes::new(&core.settings, states.len()),
+            boxes: Boxes::new(core.settings.broad_phase, states.len()),
             islands: Vec::new(),
             laws,
             measured,
@@ -90,7 +90,7 @@ impl PenaltyEngine {
             springs: springs?,
             laws: restored_laws(core.settings.penalty, &saved.laws),
             proposed: saved.proposed.clone(),
-            boxes: Boxes::new(&core.settings, bodies),
+            boxes: Boxes::new(core.settings.broad_phase, bodies),
             islands: saved.islands.clone(),
             measured: restored_report(&saved.measured),
         };
@@ -345,7 +345,7 @@ impl Tier for PenaltyEngine {
     }
 
     fn contacts(&self, core: &Core, t: f64, states: &[BodyState]) -> Vec<ContactView> {
-        let mut boxes = Boxes::new(&core.settings, states.len());
+        let mut boxes = Boxes::new(core.settings.broad_phase, states.len());
         for (body, state) in states.iter().enumerate().filter(|(body, _)| !core.model.bodies[*body].removed) {
             boxes.set(&core.model, body, &Still(state.pose), (t, t), 0.0);
         }

@@ -1,8 +1,9 @@
 //! What the tier `penalty` is.
 
-use crate::scene::tier_facts::LONGEST_STEP_S;
-use crate::scene::tier_facts::{ErrorOrder, FlightRecords, IntegratorChoice, StepLength, TierFacts, TierFeature};
-use crate::scene::{ContactMethod, ImpactLaw, Integrator, OverlapLimit, Promise, Response};
+use crate::scene::{ContactMethod, ImpactLaw, Integrator, OverlapLimit, Promise, Response, Tier};
+use crate::tier::facts::{
+    ErrorOrder, FlightRecords, IntegratorChoice, LONGEST_STEP_S, StepLength, TierFacts, TierFeature,
+};
 
 /// What it promises (`crate::scene::promise`): a blow that was not expected compresses springs by more than they are
 /// made for.
@@ -18,7 +19,7 @@ const PROMISE: Promise = Promise {
 
 /// The facts.
 pub(crate) const FACTS: TierFacts = TierFacts {
-    name: "penalty",
+    name: Tier::Penalty.name(),
     summary: "Springs and dampers where bodies overlap: nothing is solved for, and bodies interpenetrate.",
     steps: StepLength::ErrorControlled,
     step_s: LONGEST_STEP_S,

@@ -55,7 +55,8 @@ pub(super) fn step(
         }
         part *= 0.5;
         if part < SMALLEST_PART {
-            return Err(SimulationError::StepTooSmall { t_s: t + made * h, smallest_s: SMALLEST_PART * h });
+            let (t_s, smallest_s) = (t + made * h, SMALLEST_PART * h);
+            return Err(SimulationError::StepTooSmall { t_s, smallest_s, bodies: Vec::new() });
         }
     }
     Ok(())

@@ -157,7 +157,7 @@ fn step(
         }
         let shorter = h * Dop853::next_step_factor(error).min(REFUSED_FACTOR);
         if shorter.is_nan() || shorter <= smallest {
-            return Err(SimulationError::StepTooSmall { t_s: t, smallest_s: smallest });
+            return Err(SimulationError::StepTooSmall { t_s: t, smallest_s: smallest, bodies: Vec::new() });
         }
         h = shorter;
     };

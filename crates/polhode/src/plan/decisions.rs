@@ -11,12 +11,12 @@ use crate::model::Model;
 use crate::plan::free_method::Choice;
 use crate::plan::planar::PlanarFinding;
 pub use crate::scene::effects::Effects;
-use crate::scene::settings::Settings;
 use crate::scene::{
     Body, BroadPhaseMethod, ContactMethod, Coordinate, Coordinates, ImpactLaw, Integrator, Joint, Promise, Response,
     Scene, Tier,
 };
 use crate::snapshot::{SnapshotError, content};
+use crate::tier::settings::Settings;
 use polhode_spatial::{DVec3, DisjointSets};
 
 /// An effect that the plan may leave out.

@@ -14,8 +14,9 @@
 //! over.
 
 use crate::model::Model;
-use crate::scene::settings::Settings;
-use crate::scene::{Integrator, IntegratorChoice};
+use crate::scene::Integrator;
+use crate::tier::facts::IntegratorChoice;
+use crate::tier::settings::Settings;
 use polhode_dynamics::BodyState;
 use polhode_dynamics::field::{Account, Dependence};
 use polhode_dynamics::integrator::{AdaptiveExact, Integrator as _, Tolerance};

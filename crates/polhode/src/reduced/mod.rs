@@ -12,7 +12,7 @@
 //! | `moving` | poses and velocities of the bodies from coordinates, and back |
 //! | `articulated` | accelerations of the joints by articulated inertias |
 //!
-//! For which scenes they are available, `scene/coordinates.rs` says.
+//! For which scenes they are available, `tier/coordinates.rs` says.
 //!
 //! A body that no joint holds to the world, itself or through others, is the base of its tree, with a position and a
 //! quaternion.

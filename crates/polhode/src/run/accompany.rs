@@ -17,9 +17,9 @@ use crate::identity::body_id::BodyId;
 use crate::report::run_report::CrowdingError;
 use crate::run::companion::Companion;
 use crate::run::simulation::Simulation;
-use crate::scene::TierFeature;
 use crate::snapshot::content::{self, Content};
 use crate::solve::overlap::displacement;
+use crate::tier::facts::TierFeature;
 
 /// How many times longer its time steps are (no unit).
 const STEP_FACTOR: f64 = 2.0;

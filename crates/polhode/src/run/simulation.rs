@@ -7,7 +7,6 @@ use crate::identity::body_id::BodyId;
 use crate::identity::joint_id::JointId;
 use crate::joints::{added, motors, released, turns};
 use crate::model::body_queries::BodyQueries;
-use crate::model::pivot_form::PivotRows;
 use crate::model::plane_of_motion::PlanarBodies;
 use crate::model::tolerances::SAME_TIME_RELATIVE;
 use crate::model::{Model, ModelBody};
@@ -24,7 +23,6 @@ use crate::run::companion::Companion;
 use crate::run::stability::{self, Stability};
 use crate::run::{engines, singular_force, start_overlap};
 use crate::scene::effects::Effects;
-use crate::scene::settings::Settings;
 use crate::scene::{Coordinate, Integrator, Scene};
 use crate::snapshot::content::{self, Content};
 use crate::snapshot::{self, Snapshot, SnapshotError};
@@ -33,6 +31,7 @@ use crate::tier::core::Core;
 use crate::tier::executor::{Executor, OneThread};
 use crate::tier::joint_samples::joint_samples;
 use crate::tier::sampling::{emit_sample, frame};
+use crate::tier::settings::Settings;
 use crate::tier::{Reached, Tier};
 use polhode_contact::QueryError;
 use polhode_response::Memory;
@@ -146,7 +145,7 @@ impl Simulation {
     /// Prepares a simulation by this tier.
     fn in_tier(scene: &Scene, effects: Effects, tier: TierChoice) -> Result<Self, SimulationError> {
         let mut settings = Settings::resolve(scene.method(), tier.tier);
-        let (mut model, mut states) = Model::new(scene, PivotRows::of(&settings, effects))?;
+        let (mut model, mut states) = Model::new(scene, settings.pivot_rows(effects))?;
         if let Some(error) = singular_force::not_finite(&model, 0.0, &states) {
             return Err(error);
         }

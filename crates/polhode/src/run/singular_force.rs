@@ -2,13 +2,15 @@
 //!
 //! A force field may be singular: a point attracts with mu/d^2, which is infinite at the point, and no motion can be
 //! integrated through it. What fails first is then a step, a search or an energy, and its message does not name the
-//! cause. This module evaluates the forces of the scene one by one at the present states, and names the one that is not
-//! finite or far too strong for the step.
+//! cause. The same holds of a force of a program that becomes NaN. This module evaluates the forces of the scene one by
+//! one at the present states, then where these would be a step later if nothing acted, and names the one that is not
+//! finite or far too strong for the step. A body whose state is lost stands where it began.
 
 use crate::error::SimulationError;
 use crate::model::Model;
 use crate::scene::Force;
 use crate::tier::core::Core;
+use crate::time_stepping::drift;
 use polhode_dynamics::field::Wrench;
 use polhode_dynamics::integrator::IntegrationError;
 use polhode_dynamics::{BodyState, RigidBody};
@@ -38,10 +40,23 @@ pub(crate) fn explained(error: SimulationError, core: &Core, states: &[BodyState
     if !may_be_caused_by_a_force(&error) || core.model.scene.forces().is_empty() {
         return error;
     }
-    let (model, t) = (&core.model, core.t);
-    if let Some(cause) = not_finite(model, t, states) {
-        return cause;
-    }
+    let (model, h) = (&core.model, core.settings.step_s);
+    let present: Vec<BodyState> = states.iter().enumerate().map(|(body, state)| known(model, body, state)).collect();
+    let later = present.iter().enumerate().map(|(body, state)| drift(model, body, state, h)).collect();
+    let looks = [(core.t, present), (core.t + h, later)];
+    let cause = looks.iter().find_map(|(t, states)| not_finite(model, *t, states));
+    cause.or_else(|| looks.iter().find_map(|(t, states)| too_strong(core, *t, states))).unwrap_or(error)
+}
+
+/// The state of a body; at rest where it began, if the state is not finite any more.
+fn known(model: &Model, body: usize, state: &BodyState) -> BodyState {
+    let is_lost = !state.is_finite() && body < model.scene.bodies().len();
+    if is_lost { BodyState::at_rest(model.scene.motion_at_start(body).0) } else { *state }
+}
+
+/// The strongest force at `t` (s) that is far too strong for the step.
+fn too_strong(core: &Core, t: f64, states: &[BodyState]) -> Option<SimulationError> {
+    let model = &core.model;
     let mut strongest: Option<(f64, usize, usize, Wrench)> = None;
     for_each_wrench(model, t, states, |force, body, wrench| {
         let inverse_mass = model.bodies[body].rigid.as_ref().map_or(0.0, RigidBody::inverse_mass);
@@ -51,7 +66,7 @@ pub(crate) fn explained(error: SimulationError, core: &Core, states: &[BodyState
             strongest = Some((sizes, force, body, wrench));
         }
     });
-    strongest.map_or(error, |(_, force, body, wrench)| SimulationError::SingularForce {
+    strongest.map(|(_, force, body, wrench)| SimulationError::SingularForce {
         t_s: t,
         body: name(model, body),
         force: describe(model, force),
@@ -59,12 +74,14 @@ pub(crate) fn explained(error: SimulationError, core: &Core, states: &[BodyState
     })
 }
 
-/// Whether a singular force may cause such an error.
+/// Whether a force that is singular, or no number, may cause such an error.
 fn may_be_caused_by_a_force(error: &SimulationError) -> bool {
     match error {
         SimulationError::StepTooSmall { .. }
         | SimulationError::EnergyOverflow { .. }
         | SimulationError::Diverged { .. }
+        | SimulationError::ContactSolve { .. }
+        | SimulationError::ContactProblem { .. }
         | SimulationError::ImpactSearch { .. } => true,
         SimulationError::Integration { source, .. } => {
             matches!(source, IntegrationError::StepTooSmall { .. } | IntegrationError::NotFinite { .. })

@@ -11,9 +11,9 @@ use crate::collision::contact_set;
 use crate::error::SimulationError;
 use crate::model::{INITIAL_OVERLAP_RELATIVE, Model, tolerances};
 use crate::scene::few_digits::length;
-use crate::scene::settings::Settings;
 use crate::scene::{OverlapAtStart, SceneError};
 use crate::solve::overlap::Overlaps;
+use crate::tier::settings::Settings;
 use polhode_dynamics::BodyState;
 use polhode_response::Memory;
 use polhode_spatial::Still;
@@ -77,7 +77,7 @@ fn near_pairs(
     settings: &Settings,
     states: &[BodyState],
 ) -> Result<Vec<(usize, usize)>, SimulationError> {
-    let mut boxes = Boxes::new(settings, states.len());
+    let mut boxes = Boxes::new(settings.broad_phase, states.len());
     for (body, state) in states.iter().enumerate() {
         boxes.set(model, body, &Still(state.pose), (0.0, 0.0), tolerances::touch_distance(model, states, body, body));
     }

@@ -1,10 +1,9 @@
-//! Builds a scene from its parts and checks them together.
+//! Collects the parts of a scene, and checks what needs no tier; `tier/scene_checks.rs` builds it.
 
 use super::error::positive;
-use super::laws::ImpactLaw;
 use super::{
-    Body, Coordinate, CoordinateMotion, DEFAULT_GRAVITY, Force, Gear, GearEnd, Joint, Method, PairRule, Response,
-    Scene, SceneError, Tier, TierFeature, TrackId, force,
+    Body, Coordinate, CoordinateMotion, DEFAULT_GRAVITY, Force, Gear, GearEnd, Joint, Method, PairRule, Scene,
+    SceneError, TrackId, force,
 };
 use crate::identity::body_id::BodyId;
 use crate::identity::joint_id::JointId;
@@ -145,75 +144,53 @@ impl SceneBuilder {
         self
     }
 
-    /// The scene.
+    /// The parts as they were given, unchecked.
+    pub(crate) fn parts(self) -> Scene {
+        self.scene
+    }
+}
+
+impl Scene {
+    /// Checks the numbers of the scene itself.
     ///
     /// # Errors
-    /// When a number is out of range, a name is empty or used twice, a body that does not exist is named, or the scene
-    /// asks for something that is not yet available. Bodies that overlap are found later, by
-    /// [`Simulation::new`](crate::Simulation::new).
-    pub fn build(self) -> Result<Scene, SceneError> {
-        let mut scene = self.scene;
-        positive("duration", scene.duration_s)?;
-        positive("output.interval", scene.output_interval_s)?;
-        let separation_m = scene.start_separation_m;
+    /// When one is out of range.
+    pub(crate) fn check_numbers(&self) -> Result<(), SceneError> {
+        positive("duration", self.duration_s)?;
+        positive("output.interval", self.output_interval_s)?;
+        let separation_m = self.start_separation_m;
         if !(separation_m >= 0.0 && separation_m.is_finite()) {
             let accepted = "a finite number of at least 0";
             return Err(SceneError::Number { key: "start.separate", value: separation_m, accepted });
         }
-        if !scene.gravity.is_finite() {
+        if !self.gravity.is_finite() {
             return Err(SceneError::Number {
                 key: "gravity",
-                value: scene.gravity.length(),
+                value: self.gravity.length(),
                 accepted: "three finite numbers",
             });
         }
-        scene.method.validate()?;
-        scene.check_counts()?;
+        Ok(())
+    }
+
+    /// Checks each body and each force, and that the bodies that are named exist.
+    ///
+    /// # Errors
+    /// With the first that is refused.
+    pub(crate) fn check_parts(&self) -> Result<(), SceneError> {
         let mut names = BTreeSet::new();
-        for (number, body) in scene.bodies.iter().enumerate() {
+        for (number, body) in self.bodies.iter().enumerate() {
             body.check(number)?;
             if !names.insert(body.name.as_str()) {
                 return Err(SceneError::DuplicateName(body.name.clone()));
             }
         }
-        if let Some(&unknown) = scene.no_contact.iter().flatten().find(|&&index| index >= scene.bodies.len()) {
+        if let Some(&unknown) = self.no_contact.iter().flatten().find(|&&index| index >= self.bodies.len()) {
             return Err(SceneError::UnknownBody(unknown));
         }
-        for (number, force) in scene.forces.iter().enumerate() {
-            force::check(number, force, &scene.bodies)?;
+        for (number, force) in self.forces.iter().enumerate() {
+            force::check(number, force, &self.bodies)?;
         }
-        force::check_integrator(scene.method.integrator, &scene.forces)?;
-        scene.place_on_tracks()?;
-        scene.check_joints()?;
-        scene.check_ties()?;
-        scene.check_joint_method()?;
-        scene.check_coordinates()?;
-        scene.check_grains()?;
-        scene.check_motions()?;
-        let tier = scene.method.named_tier().unwrap_or_default().facts();
-        if !tier.takes(TierFeature::Friction) && scene.colliding().have_friction() {
-            let instead = Tier::names_with(TierFeature::Friction);
-            return Err(SceneError::FrictionInTier { tier: tier.name, instead });
-        }
-        if scene.method.impact == Some(ImpactLaw::Pulse) && scene.colliding().largest_rotational_friction > 0.0 {
-            let what = "impact = \"pulse\" where contacts resist rolling or spinning".to_owned();
-            let instead = "rolling_friction = 0 and spinning_friction = 0, or impact = \"energetic\", \"poisson\" or \
-                \"reflection\""
-                .to_owned();
-            return Err(SceneError::NotYetAvailable { what, instead });
-        }
-        if let (false, Some(effect)) = (tier.takes(TierFeature::SurfaceEffects), scene.surface_effect())
-            && tier.takes(TierFeature::Friction)
-        {
-            let instead = format!("tier {}", Tier::names_with(TierFeature::SurfaceEffects));
-            return Err(SceneError::NotYetAvailable {
-                what: format!("{effect} with tier = \"{}\"", tier.name),
-                instead,
-            });
-        }
-        if tier.own_response == Some(Response::Penalty) {
-            scene.check_springs()?;
-        }
-        Ok(scene)
+        force::check_integrator(self.method.integrator, &self.forces)
     }
 }

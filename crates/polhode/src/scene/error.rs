@@ -498,7 +498,7 @@ fn overlapping(pairs: &[OverlapAtStart]) -> String {
 }
 
 /// `value` when it is positive and finite.
-pub(super) fn positive(key: &'static str, value: f64) -> Result<f64, SceneError> {
+pub(crate) fn positive(key: &'static str, value: f64) -> Result<f64, SceneError> {
     if value > 0.0 && value.is_finite() {
         Ok(value)
     } else {

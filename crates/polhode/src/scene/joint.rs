@@ -90,6 +90,11 @@ impl JointKind {
         }
     }
 
+    /// Whether a track holds the anchor.
+    pub(crate) const fn is_on_track(self) -> bool {
+        matches!(self, Self::Track { .. })
+    }
+
     /// The axis of its coordinates at the start, world.
     pub(crate) const fn axis(self) -> Option<UnitVector> {
         match self {

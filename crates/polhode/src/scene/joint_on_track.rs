@@ -3,8 +3,8 @@
 //! Within the digits of a file the anchor is moved onto the track, or of a track with one side into its plane; more is
 //! refused.
 
+use super::track::LEAST_SINE;
 use super::{Follows, Joint, JointKind, OneSide, Scene, SceneError, TrackEnds, TrackHold, TrackSprings};
-use crate::constraint::track_frame::LEAST_SINE;
 use polhode_spatial::DVec3;
 use polhode_spatial::curve::{Curve, CurvePlane, CurvePoint};
 use polhode_spatial::rounding;
@@ -23,14 +23,14 @@ impl Scene {
     ///
     /// # Errors
     /// When one is farther off, or a track cannot hold a body as asked.
-    pub(super) fn place_on_tracks(&mut self) -> Result<(), SceneError> {
+    pub(crate) fn place_on_tracks(&mut self) -> Result<(), SceneError> {
         let placed = self.joints.iter().enumerate().map(|(number, joint)| self.placed_on_track(number, joint));
         self.joints = placed.collect::<Result<_, _>>()?;
         Ok(())
     }
 
     /// A joint with its anchor on its track, if it has one.
-    pub(super) fn placed_on_track(&self, number: usize, joint: &Joint) -> Result<Joint, SceneError> {
+    pub(crate) fn placed_on_track(&self, number: usize, joint: &Joint) -> Result<Joint, SceneError> {
         let JointKind::Track { track, hold, ends } = joint.kind() else { return Ok(*joint) };
         let refused = |reason| SceneError::Joint { number, reason };
         let curve =

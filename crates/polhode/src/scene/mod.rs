@@ -5,10 +5,9 @@
 //!
 //! | module | holds |
 //! |---|---|
-//! | `builder` | [`SceneBuilder`]: collects the parts of a scene and checks them together |
+//! | `builder` | [`SceneBuilder`]: collects the parts of a scene |
 //! | `body` | [`Body`]: fixed, kinematic or moved by forces |
 //! | `geometry` | [`Geometry`]: the shape of a body; [`ApproximateParts`]: how well it fills a mesh |
-//! | `coordinates` | why reduced [`Coordinates`] are refused |
 //! | `material` | [`Material`], [`PairRule`]: friction and restitution |
 //! | `grain` | [`FrictionEllipse`]: friction along and across a grain |
 //! | `force` | [`Force`]: forces besides uniform gravity and contact |
@@ -16,18 +15,16 @@
 //! | `joint` | [`Joint`]: what holds two bodies, or one and the world; `joint_checks` says when it is refused |
 //! | `track` | [`TrackId`], [`TrackHold`]: curves that bodies follow; `joint_on_track` places bodies on them |
 //! | `gear` | [`Gear`]: coordinates of two joints that move together |
-//! | `coordinate_motion` | [`CoordinateMotion`], which is prescribed; `tie_checks`: when it, or a gear, is refused |
+//! | `coordinate_motion` | [`CoordinateMotion`], which is prescribed |
 //! | `strength` | [`Strength`]: the load at which a joint breaks |
 //! | [`motion`] | prescribed motions of kinematic bodies |
-//! | `method` | [`Method`]: the tier and the settings that override its choices; [`TierFacts`] says what a tier is |
+//! | `method` | [`Method`]: the tier and the settings that override its choices |
 //! | `laws` | [`ImpactLaw`], [`ContactMethod`], [`Response`], [`Integrator`] and other choices of a method |
 //! | `restitution` | [`RestitutionSpeed`]: restitution that falls with speed |
 //! | `penalty` | [`PenaltyMethod`]: the springs of the tier `penalty`; `spring_checks` says when they are refused |
 //! | `promise` | [`Promise`]: how far a run may be from its scene and still end well |
 //! | `pairs` | how many pairs of bodies may collide |
-//! | `settings` | the method, completed by the defaults of its tier |
-//! | `tiers` | [`Tier`]: the list of the tiers |
-//! | `tier_facts` | [`TierFacts`]: what a tier is |
+//! | `tiers` | [`Tier`]: the names of the tiers |
 //! | `effects` | [`Effects`](crate::Effects): which effects a run simulates |
 //! | `few_digits` | numbers and lengths as messages say them |
 //! | `error` | [`SceneError`]: why a scene is refused |
@@ -35,7 +32,6 @@
 mod body;
 mod builder;
 mod coordinate_motion;
-mod coordinates;
 pub(crate) mod effects;
 mod error;
 pub(crate) mod few_digits;
@@ -55,18 +51,15 @@ mod pairs;
 mod penalty;
 mod promise;
 mod restitution;
-pub(crate) mod settings;
 pub(crate) mod spring_checks;
 mod strength;
-mod tie_checks;
-pub(crate) mod tier_facts;
 pub(crate) mod tiers;
 mod track;
 
 pub use body::{Body, BodyMass};
 pub use builder::SceneBuilder;
 pub use coordinate_motion::CoordinateMotion;
-pub(crate) use error::MOST_NAMES;
+pub(crate) use error::{MOST_NAMES, positive};
 pub use error::{OverlapAtStart, SceneError};
 pub(crate) use force::MovingFrames;
 pub use force::{Attachment, Force};
@@ -92,8 +85,8 @@ pub use polhode_response::RestitutionLaw;
 pub use promise::{OverlapLimit, Promise, PromiseChanges};
 pub use restitution::RestitutionSpeed;
 pub use strength::Strength;
-pub use tier_facts::{ErrorOrder, FlightRecords, IntegratorChoice, StepLength, TierFacts, TierFeature};
 pub use tiers::Tier;
+pub(crate) use track::LEAST_SINE;
 pub use track::{Follows, OneSide, TrackEnds, TrackHold, TrackId, TrackSprings};
 
 use crate::identity::body_id::BodyId;
@@ -168,7 +161,7 @@ impl Scene {
     /// # Errors
     /// When the duration is not positive and finite.
     pub fn with_duration(mut self, duration_s: f64) -> Result<Self, SceneError> {
-        self.duration_s = error::positive("duration", duration_s)?;
+        self.duration_s = positive("duration", duration_s)?;
         Ok(self)
     }
 
@@ -177,25 +170,13 @@ impl Scene {
     /// # Errors
     /// When the interval is not positive and finite, or there would be too many samples.
     pub fn with_output_interval(mut self, interval_s: f64) -> Result<Self, SceneError> {
-        self.output_interval_s = error::positive("output.interval", interval_s)?;
+        self.output_interval_s = positive("output.interval", interval_s)?;
         self.check_counts()?;
         Ok(self)
     }
 
-    /// Checks the method, the motions, and that the numbers of samples and steps are bounded.
-    ///
-    /// # Errors
-    /// As [`SceneBuilder::build`].
-    pub(crate) fn check_times(&self) -> Result<(), SceneError> {
-        self.method.validate()?;
-        self.check_joint_method()?;
-        self.check_motions()?;
-        self.check_ties()?;
-        self.check_counts()
-    }
-
     /// Checks that a run has at most [`MOST_STEPS`] samples and steps, so that it ends.
-    fn check_counts(&self) -> Result<(), SceneError> {
+    pub(crate) fn check_counts(&self) -> Result<(), SceneError> {
         let duration_s = self.duration_s;
         let too_many = |interval_s: f64| duration_s / interval_s > MOST_STEPS;
         if too_many(self.output_interval_s) {

@@ -61,7 +61,7 @@ impl PenaltyMethod {
     ///
     /// # Errors
     /// When a number is not positive and finite, or two knobs exclude each other.
-    pub(super) fn validate(&self) -> Result<(), SceneError> {
+    pub(crate) fn validate(&self) -> Result<(), SceneError> {
         let numbers = [
             ("method.penalty.penetration_m", self.penetration_m),
             ("method.penalty.stiffness_n_m", self.stiffness_n_m),

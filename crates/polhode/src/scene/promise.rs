@@ -19,7 +19,7 @@
 
 use super::SceneError;
 
-/// What a run promises. [`TierFacts::promise`](crate::scene::TierFacts::promise) has that of a tier, and
+/// What a run promises. [`TierFacts::promise`](crate::tier::TierFacts::promise) has that of a tier, and
 /// [`Plan::promise`](crate::Plan::promise) that of a run.
 ///
 /// ```

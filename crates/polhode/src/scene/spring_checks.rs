@@ -24,7 +24,7 @@ impl Scene {
     /// # Errors
     /// When a restitution is not one, springs along the contact have a grain, regularised friction has a static
     /// coefficient of its own, a joint has a limit, or bodies have no moduli or no radii of curvature for Hertz's law.
-    pub(super) fn check_springs(&self) -> Result<(), SceneError> {
+    pub(crate) fn check_springs(&self) -> Result<(), SceneError> {
         let method = self.method.penalty.unwrap_or_default();
         let taken = [Integrator::Dop853, Integrator::Rk4, Integrator::SemiImplicitEuler, Integrator::ImplicitMidpoint];
         if let Some(integrator) = self.method.integrator.filter(|named| !taken.contains(named)) {

@@ -1,15 +1,7 @@
-//! The list of the tiers.
+//! The tiers by their names.
 //!
-//! What a tier is stands in its own folder ([`TierFacts`]); the list of their engines is in `run/engines.rs`.
-
-use crate::accurate::facts::FACTS as ACCURATE;
-use crate::fast::facts::FACTS as FAST;
-use crate::micro_collisions::facts::FACTS as MICRO_COLLISIONS;
-use crate::penalty::facts::FACTS as PENALTY;
-use crate::scene::Response;
-use crate::scene::tier_facts::{TierFacts, TierFeature};
-use crate::stepped::facts::FACTS as STEPPED;
-use crate::thesis::facts::FACTS as THESIS;
+//! What a tier is stands in its own folder, and `tier/list.rs` lists these facts; the list of their engines is in
+//! `run/engines.rs`.
 
 /// A set of methods with one promise.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -38,34 +30,16 @@ impl Tier {
     pub const ALL: [Self; 6] =
         [Self::Accurate, Self::Stepped, Self::Fast, Self::Penalty, Self::MicroCollisions, Self::Thesis];
 
-    /// What the tier is.
-    pub const fn facts(self) -> &'static TierFacts {
-        match self {
-            Self::Thesis => &THESIS,
-            Self::MicroCollisions => &MICRO_COLLISIONS,
-            Self::Penalty => &PENALTY,
-            Self::Stepped => &STEPPED,
-            Self::Fast => &FAST,
-            Self::Accurate => &ACCURATE,
-        }
-    }
-
     /// The name used in scenes and reports.
     pub const fn name(self) -> &'static str {
-        self.facts().name
-    }
-
-    /// The names of the tiers that take this, for a message: `accurate` or `stepped` or `fast`.
-    pub(crate) fn names_with(feature: TierFeature) -> String {
-        let takes = |tier: &Self| tier.facts().takes(feature);
-        let names = Self::ALL.into_iter().filter(takes).map(|tier| format!("`{}`", tier.name()));
-        names.collect::<Vec<_>>().join(" or ")
-    }
-
-    /// The tier that alone has this response, and that a scene which names the response means; none where several have
-    /// it.
-    pub(crate) fn of_response(response: Response) -> Option<Self> {
-        Self::ALL.into_iter().find(|tier| tier.facts().own_response == Some(response))
+        match self {
+            Self::Thesis => "thesis",
+            Self::MicroCollisions => "micro-collisions",
+            Self::Penalty => "penalty",
+            Self::Stepped => "stepped",
+            Self::Fast => "fast",
+            Self::Accurate => "accurate",
+        }
     }
 
     /// The tier of this name; none if there is no such tier.
@@ -85,6 +59,5 @@ mod tests {
             assert_eq!(Tier::from_name(tier.name()), Some(tier));
         }
         assert_eq!(Tier::from_name("another"), None);
-        assert_eq!(Tier::names_with(TierFeature::Joints), "`accurate` or `stepped` or `fast` or `penalty`");
     }
 }

@@ -2,6 +2,10 @@
 
 use polhode_spatial::UnitVector;
 
+/// Least sine of the angle between the reference direction and the track (no unit, 1e-3 to 0.1): where they are
+/// parallel no direction is at right angles to both.
+pub(crate) const LEAST_SINE: f64 = 1e-2;
+
 /// The handle of a track of a scene: its number in the order in which tracks were added, from 0.
 ///
 /// [`SceneBuilder::add_track`](crate::scene::SceneBuilder::add_track) returns it.

@@ -1,4 +1,5 @@
-//! Whether gears and prescribed motions of joints contradict each other, or the joints.
+//! Whether gears and prescribed motions of joints contradict each other, or the joints; and whether joints with several
+//! kinematic bodies do.
 //!
 //! The rows `J a + b = 0` of joints and ties, with `b` their terms of velocities and of prescribed accelerations
 //! (m/s^2), have a solution if `b` is in the range of `J`, which is that of `G = J M^-1 J^T`. The forces `f` of least
@@ -9,6 +10,7 @@
 //! through it may be told to contradict itself there, as it does.
 
 use crate::constraint::ConstraintId;
+use crate::constraint::joint::ModelJoint;
 use crate::error::SimulationError;
 use crate::model::Model;
 use crate::rows::assembly::Assembly;
@@ -19,7 +21,8 @@ use polhode_response::{Ask, Memory, Question, ResponseError};
 /// above rounding, and far below what two different motions ask for.
 const CONTRADICTION: f64 = 1e-6;
 
-/// Refuses bodies at `t` (s) whose gears and prescribed motions contradict each other or their joints.
+/// Refuses bodies at `t` (s) whose gears and prescribed motions, or whose joints with several kinematic bodies,
+/// contradict each other or their joints.
 ///
 /// # Errors
 /// [`SimulationError::JointsContradict`]; when a number is not finite.
@@ -29,17 +32,43 @@ pub(crate) fn refuse_contradictions(
     states: &[BodyState],
     bodies: &[usize],
 ) -> Result<(), SimulationError> {
-    if model.joints.ties_among(bodies).next().is_none() {
+    let mut drivers = model.joints.drivers_of(bodies);
+    let first = drivers.next();
+    let are_driven_apart = first.is_some() && drivers.any(|other| Some(other) != first);
+    if !are_driven_apart && model.joints.ties_among(bodies).next().is_none() {
         return Ok(());
     }
-    match contradicted(model, t, states, bodies).map_err(|source| SimulationError::of_response(t, source))? {
+    let refused = |source| SimulationError::of_response(t, source).among(model, bodies);
+    match contradicted(model, t, states, bodies).map_err(refused)? {
         None => Ok(()),
-        Some(tie) => Err(SimulationError::JointsContradict { t_s: t, what: model.joints.name_of_tie(tie) }),
+        Some(id) => Err(told(model, t, id)),
     }
 }
 
-/// The number of the first tie whose row, or that of another constraint beside it, cannot be kept.
-fn contradicted(model: &Model, t: f64, states: &[BodyState], bodies: &[usize]) -> Result<Option<usize>, ResponseError> {
+/// The contradiction in words: what cannot be kept, and whom it holds.
+fn told(model: &Model, t_s: f64, id: ConstraintId) -> SimulationError {
+    let (a, b) = id.bodies();
+    let (what, driver) = match id {
+        ConstraintId::Tie { tie, .. } => (model.joints.name_of_tie(tie), None),
+        ConstraintId::Joint { joint, .. } => {
+            let of = model.joints.joint_numbered(joint);
+            (format!("joint {joint}"), of.and_then(ModelJoint::driver))
+        }
+        ConstraintId::Pivot { .. } | ConstraintId::Contact(_) => ("the pivot".to_owned(), None),
+    };
+    let mut bodies: Vec<usize> = [a, b].into_iter().chain(driver).collect();
+    bodies.dedup();
+    let bodies = bodies.into_iter().map(|body| model.bodies[body].name.clone()).collect();
+    SimulationError::JointsContradict { t_s, what, bodies }
+}
+
+/// The first tie where rows cannot be kept; without a tie, what has the row that is kept worst.
+fn contradicted(
+    model: &Model,
+    t: f64,
+    states: &[BodyState],
+    bodies: &[usize],
+) -> Result<Option<ConstraintId>, ResponseError> {
     let assembly = Assembly::new(model, states, bodies, std::iter::empty())?;
     let still = assembly.uniform_accelerations(polhode_spatial::DVec3::ZERO);
     let constants = assembly.acceleration_constants(model, t, states, &still, std::iter::empty())?;
@@ -60,9 +89,8 @@ fn contradicted(model: &Model, t: f64, states: &[BodyState], bodies: &[usize]) -
     if worst <= CONTRADICTION * largest {
         return Ok(None);
     }
-    let mut ties = assembly.bilaterals().iter().filter_map(|own| match own.id {
-        ConstraintId::Tie { tie, .. } => Some(tie),
-        _ => None,
-    });
-    Ok(ties.next())
+    let mut ids = assembly.bilaterals().iter().map(|own| own.id);
+    let tie = ids.find(|id| matches!(id, ConstraintId::Tie { .. }));
+    let kept_worst = || left.iter().position(|left| left.abs() == worst).and_then(|row| assembly.constraint(row));
+    Ok(tie.or_else(kept_worst))
 }

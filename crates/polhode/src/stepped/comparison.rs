@@ -32,8 +32,7 @@ impl SteppedEngine {
         }
         let (mut states, mut stepper) = (begin.to_vec(), self.stepper.clone());
         for part in [(t, 0.5 * h), (t + 0.5 * h, 0.5 * h)] {
-            advance_islands(&core.model, &*core.executor, (&mut stepper, &mut states), &compared, part)
-                .map_err(|source| SimulationError::of_response(core.t, source))?;
+            advance_islands(&core.model, &*core.executor, (&mut stepper, &mut states), &compared, part)?;
         }
         for (island, report) in compared.iter().zip(reports) {
             let stands_for = if report.steps > 1 { 1 } else { EVERY };

@@ -280,8 +280,7 @@ impl SteppedEngine {
         loop {
             let (resting, islands) = self.divide(core, &pairs)?;
             let of = (&mut self.stepper, &mut self.states[..]);
-            let reports = advance_islands(&core.model, &*core.executor, of, &islands, interval);
-            let reports = reports.map_err(|source| SimulationError::of_response(core.t, source))?;
+            let reports = advance_islands(&core.model, &*core.executor, of, &islands, interval)?;
             let met = Unexpected { begin: &begin, end: &self.states, islands: &islands, pairs: &pairs, interval };
             let met = met.find(&core.model, &mut self.search).map_err(SimulationError::BroadPhase)?;
             if met.is_empty() || times == 0 {
@@ -371,8 +370,7 @@ impl SteppedEngine {
     fn repeat_rest(&self, core: &Core, resting: &[Island], interval: (f64, f64)) -> Result<(), SimulationError> {
         let (mut states, mut stepper) = (self.states.clone(), self.stepper.clone());
         let of = (&mut stepper, &mut states[..]);
-        let reports = advance_islands(&core.model, &*core.executor, of, resting, interval);
-        reports.map_err(|source| SimulationError::of_response(core.t, source))?;
+        advance_islands(&core.model, &*core.executor, of, resting, interval)?;
         Ok(())
     }
 

@@ -1,8 +1,8 @@
 //! What the tier `stepped` is.
 
-use crate::scene::tier_facts::{ErrorOrder, FlightRecords, IntegratorChoice, StepLength, TierFacts, TierFeature};
-use crate::scene::{ContactMethod, ImpactLaw, Integrator, OverlapLimit, Promise};
+use crate::scene::{ContactMethod, ImpactLaw, Integrator, OverlapLimit, Promise, Tier};
 use crate::solve::cone_violation::CONE_LIMIT;
+use crate::tier::facts::{ErrorOrder, FlightRecords, IntegratorChoice, StepLength, TierFacts, TierFeature};
 
 /// Step when none is given, s. A body of some tenths of a metre that has fallen for a second moves by about a hundredth
 /// of its size in one step; bounces that last less than two steps have speeds below 0.02 m/s.
@@ -24,7 +24,7 @@ const PROMISE: Promise = Promise {
 
 /// The facts.
 pub(crate) const FACTS: TierFacts = TierFacts {
-    name: "stepped",
+    name: Tier::Stepped.name(),
     summary: "Fixed steps with all contacts solved together at the level of velocities; it always gets through.",
     steps: StepLength::Fixed,
     step_s: TIME_STEP_S,

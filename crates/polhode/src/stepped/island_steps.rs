@@ -7,15 +7,15 @@
 
 use super::islands::Island;
 use crate::accounting::time_step_report::TimeStepReport;
+use crate::error::SimulationError;
 use crate::model::Model;
 use crate::model::states_of::{set_states, states_of};
 use crate::tier::executor::{Executor, Task};
 use crate::time_stepping::TimeStepper;
 use polhode_dynamics::BodyState;
-use polhode_response::ResponseError;
 
 /// Reports of the steps of some islands, in their order, up to the first that failed.
-type Reports = Result<Vec<TimeStepReport>, ResponseError>;
+type Reports = Result<Vec<TimeStepReport>, SimulationError>;
 
 /// What the islands of one part did.
 struct Part<'a> {
@@ -63,6 +63,9 @@ fn advance_each(
     islands: &[Island],
     interval: (f64, f64),
 ) -> Reports {
-    let advance = |island: &Island| stepper.advance(model, states, &island.bodies, &island.pairs, interval);
+    let advance = |island: &Island| {
+        let made = stepper.advance(model, states, &island.bodies, &island.pairs, interval);
+        made.map_err(|source| SimulationError::of_response(interval.0, source).among(model, &island.bodies))
+    };
     islands.iter().map(advance).collect()
 }

@@ -325,7 +325,7 @@ impl Tier for ThesisEngine {
 
     fn contacts(&self, core: &Core, _t: f64, states: &[BodyState]) -> Vec<ContactView> {
         let mut views = Vec::new();
-        let mut boxes = Boxes::new(&core.settings, states.len());
+        let mut boxes = Boxes::new(core.settings.broad_phase, states.len());
         for touch in contacts_within(core, states, &mut boxes, TOUCH).unwrap_or_default() {
             let id = touch.id;
             let resting = self.resting.iter().find(|(known, _)| *known == id);

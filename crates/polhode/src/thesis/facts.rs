@@ -1,7 +1,7 @@
 //! What the tier `thesis` is.
 
-use crate::scene::tier_facts::{ErrorOrder, FlightRecords, IntegratorChoice, StepLength, TierFacts, TierFeature};
-use crate::scene::{ContactMethod, ImpactLaw, Integrator, OverlapLimit, Promise};
+use crate::scene::{ContactMethod, ImpactLaw, Integrator, OverlapLimit, Promise, Tier};
+use crate::tier::facts::{ErrorOrder, FlightRecords, IntegratorChoice, StepLength, TierFacts, TierFeature};
 
 /// Step when none is given, s.
 const THESIS_STEP_S: f64 = 0.01;
@@ -22,7 +22,7 @@ const PROMISE: Promise = Promise {
 
 /// The facts.
 pub(crate) const FACTS: TierFacts = TierFacts {
-    name: "thesis",
+    name: Tier::Thesis.name(),
     summary: "The thesis's section 3.5 to the letter.",
     steps: StepLength::Fixed,
     step_s: THESIS_STEP_S,

@@ -20,9 +20,8 @@
 //! Failure: none; what is neither a heap nor at rest, as many balls that never meet, is estimated too high, and a scene
 //! may name its tier.
 
-use crate::scene::tier_facts::TierFeature;
-use crate::scene::tiers::Tier;
-use crate::scene::{Body, Geometry, Scene};
+use super::facts::TierFeature;
+use crate::scene::{Body, Geometry, Scene, Tier};
 use polhode_contact::Shape;
 
 /// Processor time that a user waits for, s.

@@ -47,7 +47,7 @@ impl SteppedBodies {
     pub(crate) fn new(core: &Core, states: Vec<BodyState>) -> Self {
         Self {
             integrator: core.settings.build_integrator(),
-            boxes: Boxes::new(&core.settings, states.len()),
+            boxes: Boxes::new(core.settings.broad_phase, states.len()),
             touching_pairs: 0,
             moves: core.model.bodies.iter().map(ModelBody::moves).collect(),
             states,

@@ -5,6 +5,10 @@
 //!
 //! | module | holds |
 //! |---|---|
+//! | `facts` | [`TierFacts`]: what a tier is; `list`: those of each tier |
+//! | `settings` | the method of a scene, completed by the defaults of its tier |
+//! | `scene_checks` | builds a scene, and holds it against its tier |
+//! | `method_checks`, `coordinates` | whether the tier has what the method, and reduced coordinates, ask for |
 //! | `choice` | which tier runs a scene that names none, by what it would cost |
 //! | `core` | `Core`: world, settings, present time and accounts, on which all tiers work |
 //! | `executor` | [`Executor`](crate::Executor): who computes islands that do not depend on each other |
@@ -18,16 +22,24 @@
 //! | `smooth_rates` | rates of flat states without contact forces |
 
 pub(crate) mod choice;
+mod coordinates;
 pub(crate) mod core;
 pub(crate) mod error_estimate;
 pub(crate) mod executor;
+pub(crate) mod facts;
 pub(crate) mod fixed_steps;
 pub(crate) mod free_stage;
 pub(crate) mod joint_samples;
+mod list;
+mod method_checks;
 mod promise;
 mod sample_penetration;
 pub(crate) mod sampling;
+mod scene_checks;
+pub(crate) mod settings;
 pub(crate) mod smooth_rates;
+
+pub use facts::{ErrorOrder, FlightRecords, IntegratorChoice, StepLength, TierFacts, TierFeature};
 
 use crate::accounting::Accounts;
 use crate::error::SimulationError;

@@ -24,6 +24,7 @@
 //! bounces themselves, or lifting bodies onto faces that are higher by less than the touch distance gave more than
 //! that, or with a problem that was not solved to its tolerance.
 
+use super::facts::ErrorOrder;
 use crate::accounting::books::Balance;
 use crate::accounting::measures::{Limits, Measure};
 use crate::accounting::numerical_loss::FixedStep;
@@ -31,7 +32,7 @@ use crate::accounting::time_step_report::TimeStepReport;
 use crate::collision::touch::Touch;
 use crate::constraint::ConstraintId;
 use crate::model::{rates, reported, tolerances};
-use crate::scene::{ErrorOrder, OverlapLimit};
+use crate::scene::OverlapLimit;
 use crate::solve::bounce_friction::EndedBounces;
 use crate::solve::cone_violation::ConeViolation;
 use crate::solve::projection::Projection;

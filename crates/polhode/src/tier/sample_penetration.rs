@@ -25,7 +25,7 @@ impl Core {
         if self.last_sample.removed == removed && self.last_sample.states == states {
             return Ok(&self.last_sample.overlaps);
         }
-        let mut boxes = Boxes::new(&self.settings, model.bodies.len());
+        let mut boxes = Boxes::new(self.settings.broad_phase, model.bodies.len());
         for (body, own) in model.bodies.iter().enumerate().filter(|(_, own)| !own.removed) {
             boxes.put(body, own.shape.as_ref().and_then(|shape| aabb_of(shape, &states[body].pose).ok()));
         }

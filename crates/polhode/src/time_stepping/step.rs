@@ -383,8 +383,9 @@ fn rest_exactly(
             }
         }
     }
+    // Each is compared by itself: the larger of a number and of what is none is that number.
     let rests = |((&body, &speed), &given): ((&usize, &f64), &f64)| {
-        speed.max(tolerances::point_speed(model, states, body)) <= REST_RELATIVE * given
+        [speed, tolerances::point_speed(model, states, body)].iter().all(|own| *own <= REST_RELATIVE * given)
     };
     report.at_rest = !bodies.is_empty() && bodies.iter().zip(speeds).zip(&given).all(rests);
     if report.at_rest {

@@ -264,9 +264,9 @@ fn thin_out(near: &[NearContact], rows: &[Row], taken: &mut [bool]) {
     }
 }
 
-/// Adds the rows that close with the present velocities; of pairs with many contacts the one that closes most. Rows that
-/// are near to closing are left out: most of them stay open, and each makes the next problem larger. Returns whether
-/// any closes.
+/// Adds the rows that close with the present velocities; of pairs with many contacts the one that closes most. Rows
+/// that are near to closing are left out: most of them stay open, and each makes the next problem larger. Returns
+/// whether any closes.
 fn add_closing(model: &Model, states: &[BodyState], near: &[NearContact], rows: &[Row], taken: &mut [bool]) -> bool {
     // Impulses have moved nothing: the contact is where it was.
     let rate = |row: &Row| with_rate_at_point(model, states, near[row.contact].id, row.kinematics).separation_rate;

@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
 
 mod bad_numbers;
+mod bad_problems;
 mod bounces_with_friction;
 mod breaking_joints;
 mod broad_phases;

@@ -52,7 +52,7 @@ struct Threshold {
 const THRESHOLDS: &[Threshold] = &[
     Threshold { name: "STEP_IN_BODIES", file: "way.rs" },
     Threshold { name: "STEP_MOST_ROWS", file: "way.rs" },
-    Threshold { name: "STEP_MOST_ROWS_IN_HEAPS", file: "way.rs" },
+    Threshold { name: "MATRIX_MOST_ROWS", file: "way.rs" },
     Threshold { name: "DISPLACEMENT_IN_BODIES", file: "way.rs" },
     Threshold { name: "REST_IN_BODIES", file: "way.rs" },
     Threshold { name: "TREES", file: "way.rs" },

@@ -1,7 +1,7 @@
 //! What a tier is: its name, its methods, its promise, and what it takes.
 //!
-//! Each tier has one value of [`TierFacts`] in a folder of its own, and `list.rs` lists the tiers. All other files read
-//! these facts and name no kind of tier, so that whoever adds a tier adds a folder and its line in that list.
+//! Each tier has one value of [`TierFacts`] in a folder of its own, and `list.rs` lists them. All other files read them
+//! and name no kind of tier: whoever adds a tier adds a folder, its line there, and its name in `scene/tiers.rs`.
 
 use crate::scene::{ContactMethod, ImpactLaw, Integrator, Promise, Response};
 
@@ -11,7 +11,8 @@ pub(crate) const LONGEST_STEP_S: f64 = 0.01;
 /// What a tier is. [`Tier::facts`](crate::scene::Tier::facts) gives those of a tier.
 ///
 /// ```
-/// use polhode::scene::{Tier, TierFeature};
+/// use polhode::scene::Tier;
+/// use polhode::tier::TierFeature;
 /// for tier in Tier::ALL.into_iter().filter(|tier| tier.facts().takes(TierFeature::Joints)) {
 ///     println!("{}: {}", tier.name(), tier.facts().summary);
 /// }
@@ -135,7 +136,7 @@ pub enum TierFeature {
     SequentialImpulses,
     /// Static friction above kinetic, friction along a grain, of rolling and of spinning, and surfaces that move.
     SurfaceEffects,
-    /// Every [`Response`](crate::scene::Response), not only that by constraint.
+    /// Every [`Response`], not only that by constraint.
     Responses,
     /// RK4 for constrained motion too, where the scene names it.
     ConstrainedRk4,

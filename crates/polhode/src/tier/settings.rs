@@ -1,8 +1,11 @@
 //! The settings of a run: the scene's method, completed by the defaults of its tier.
 
+use super::facts::{FlightRecords, TierFeature};
+use crate::model::pivot_form::PivotRows;
+use crate::scene::effects::Effects;
 use crate::scene::{
-    BroadPhaseMethod, ContactMethod, Coordinates, Crowding, FlightRecords, ImpactLaw, Integrator, Method, Orientation,
-    PenaltyMethod, Promise, Response, RotationRate, Tier, TierFeature,
+    BroadPhaseMethod, ContactMethod, Coordinates, Crowding, ImpactLaw, Integrator, Method, Orientation, PenaltyMethod,
+    Promise, Response, RotationRate, Tier,
 };
 use polhode_dynamics::integrator::{self, MethodSettings, Tolerance};
 
@@ -70,6 +73,17 @@ impl Settings {
     /// Whether the tier takes this.
     pub(crate) fn takes(&self, feature: TierFeature) -> bool {
         self.tier.facts().takes(feature)
+    }
+
+    /// Which pivots have constraint rows: none in the tiers of fixed steps, and by integrators that advance bodies one
+    /// by one, but for those of jointed bodies.
+    pub(crate) fn pivot_rows(&self, effects: Effects) -> PivotRows {
+        let solves_rows = matches!(self.named_integrator, None | Some(Integrator::Dop853 | Integrator::Rk4));
+        match effects {
+            _ if !self.takes(TierFeature::PivotRows) || !solves_rows => PivotRows::None,
+            Effects::Planned => PivotRows::WhereColliding,
+            Effects::All => PivotRows::All,
+        }
     }
 
     /// Whether bodies under gravity alone are in free flight, evaluated from flight records.

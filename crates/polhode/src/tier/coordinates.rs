@@ -4,9 +4,9 @@
 //! own, no loop, and nothing that pushes: no contacts, no limits, no dry friction. Gears, prescribed motions and joints
 //! that break have constraint rows.
 
-use super::laws::Coordinates;
-use super::{Coordinate, Integrator, Joint, Scene, SceneError, Tier, TierFeature};
+use super::facts::TierFeature;
 use crate::constraint::tree_joint::is_of_trees;
+use crate::scene::{Coordinate, Coordinates, Integrator, Joint, Scene, SceneError, Tier};
 use polhode_spatial::DisjointSets;
 
 impl Scene {

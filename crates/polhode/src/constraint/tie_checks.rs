@@ -1,7 +1,7 @@
 //! Checks of the gears of a scene and of the prescribed motions of its joints: that their joints have such coordinates,
 //! and that the velocities at the start agree with them.
 
-use super::{Coordinate, CoordinateMotion, Gear, GearEnd, Scene, SceneError};
+use crate::scene::{Coordinate, CoordinateMotion, Gear, GearEnd, Scene, SceneError};
 use polhode_spatial::Motion;
 use polhode_spatial::rounding;
 
@@ -21,7 +21,7 @@ impl Scene {
     ///
     /// # Errors
     /// With the first that is refused.
-    pub(super) fn check_ties(&self) -> Result<(), SceneError> {
+    pub(crate) fn check_ties(&self) -> Result<(), SceneError> {
         for (number, gear) in self.gears.iter().enumerate() {
             self.check_gear(number, gear)?;
         }
