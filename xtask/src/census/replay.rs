@@ -4,8 +4,8 @@
 //! velocity, the chain of bodies that in units of impulse. Problems whose answer was that there is none count as not
 //! solved.
 
-use polhode_response::census::problem_text::ProblemText;
 use polhode_response::friction::FrictionSettings;
+use polhode_response::problem_text::ProblemText;
 use polhode_response::sparse::{BodySettings, BodySolver};
 use polhode_response::{Blocks, ContactProblem, SolverReport, SolverSettings, SolverStatus, solve_complementarity};
 use std::collections::BTreeMap;

@@ -10,14 +10,12 @@
 //!
 //! | module | holds |
 //! |---|---|
-//! | [`problem_text`] | problems as text, written and read |
-//! | `conversions` | problems of all solvers as such text |
+//! | `conversions` | problems of all solvers as [text](crate::problem_text) |
 
 mod conversions;
-pub mod problem_text;
 
+use crate::problem_text::ProblemText;
 use crate::report::SolverStatus;
-use problem_text::ProblemText;
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::panic::Location;
@@ -302,11 +300,12 @@ pub(crate) fn note(
     };
     // The table is free meanwhile.
     let (mut others, mut without) = (Vec::new(), vec![answer.method]);
-    while is_asked {
+    if is_asked {
         // Each answer is by a method that has not answered yet.
-        let Some(other) = again(&without).filter(|other| !without.contains(&other.method)) else { break };
-        without.push(other.method);
-        others.push(other);
+        while let Some(other) = again(&without).filter(|other| !without.contains(&other.method)) {
+            without.push(other.method);
+            others.push(other);
+        }
     }
     let mut by_sets = Vec::new();
     for (number, set) in sets.iter().enumerate().filter(|_| is_asked) {

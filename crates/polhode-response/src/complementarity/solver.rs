@@ -15,6 +15,7 @@ use crate::precise;
 use crate::problem::ContactProblem;
 use crate::report::{Method, SolverReport, SolverStatus};
 use crate::settings::SolverSettings;
+use crate::tolerances::LARGEST_RESIDUAL_ROUNDING;
 use polhode_spatial::DoubleDouble;
 use polhode_spatial::rounding;
 
@@ -270,7 +271,20 @@ impl ComplementaritySolver {
             self.attempt_precisely(data, &rows);
         }
         self.sharpen_bound(data);
+        self.refuse_rounding(data.b);
         self.publish(data.b);
+    }
+
+    /// Refuses forces of which no active set is certified, and which hold nothing once they are rounded: rows that
+    /// contradict each other by a rounding are exact with forces so large that more than that is left of their sum.
+    fn refuse_rounding(&mut self, b: &[f64]) {
+        let rounding = f64::EPSILON * largest(&self.best.scales);
+        let size = largest(b).max(NOISE_ALLOWED * self.settings.noise_floor);
+        let report = &mut self.best.report;
+        let is_rounding = !report.certified && rounding > LARGEST_RESIDUAL_ROUNDING * size;
+        if is_rounding && report.status == SolverStatus::Solved {
+            report.status = SolverStatus::Inaccurate;
+        }
     }
 
     /// The active set in working precision and, where that does not do, in twice the precision. Whether there is an

@@ -9,7 +9,7 @@ use crate::friction::Blocks;
 use crate::law::Law;
 use crate::report::SolverStatus;
 use crate::settings::SolverSettings;
-use crate::sparse::{BodySettings, BodySolver};
+use crate::sparse::{BodySettings, BodySolver, are_movable};
 
 /// By the active set: beside the trees of joints, or with the matrix of all rows.
 #[cfg_attr(feature = "census", track_caller)]
@@ -34,7 +34,7 @@ pub(super) fn active_set(problem: &RowProblem<'_>, memory: &mut Memory) -> Resul
 pub(super) fn displacements(problem: &RowProblem<'_>, accuracy: f64) -> Result<Option<Answer>, ResponseError> {
     let (rows, joints) = (problem.rows, &problem.joints);
     let contacts = rows.len() - joints.len();
-    if contacts < DISPLACEMENT_IN_BODIES || !rows.is_of_pairs() {
+    if contacts < DISPLACEMENT_IN_BODIES || !rows.is_of_pairs() || !are_movable(rows) {
         return Ok(None);
     }
     let mut blocks = Blocks::default();

@@ -244,6 +244,12 @@ fn members_of(problem: &ContactProblem, row: usize) -> Members {
     members
 }
 
+/// Whether every force moves each body, in as many coordinates as a body in space has.
+pub(crate) fn are_movable(problem: &ContactProblem) -> bool {
+    let is_mass = |mass: &BodyMass| mass.factor().is_none_or(|factor| factor.is_ok());
+    masses_of(problem).is_ok_and(|masses| masses.iter().all(is_mass))
+}
+
 /// The masses of all bodies.
 fn masses_of(problem: &ContactProblem) -> Result<Vec<BodyMass>, ResponseError> {
     let width = problem.width();

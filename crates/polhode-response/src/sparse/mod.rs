@@ -55,6 +55,8 @@ mod solver;
 mod sweeps;
 mod system;
 
+pub(crate) use from_blocks::are_movable;
+
 pub use balance::BalancedForces;
 pub use beside_forest::{BesideForest, ForestSolution};
 pub use body::BodyMass;

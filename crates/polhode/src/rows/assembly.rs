@@ -318,6 +318,7 @@ impl Assembly {
     ///
     /// # Errors
     /// When a list has another length than there are rows, or a number is not finite.
+    #[cfg_attr(feature = "census", track_caller)]
     pub(crate) fn answer(
         &self,
         known: Question<'_>,
