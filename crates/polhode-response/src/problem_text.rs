@@ -15,10 +15,7 @@
 //! number on the only body: so stands a problem of which only the matrix is known, which is then the inverse mass.
 //! Numbers have all their digits.
 
-use crate::error::ResponseError;
-use crate::friction::Blocks;
 use crate::law::{Law, Resistance};
-use crate::problem::ContactProblem;
 use std::fmt;
 
 /// The first line.
@@ -110,42 +107,6 @@ impl ProblemText {
         }
         Ok((problem, facts))
     }
-
-    /// Rows, blocks and constant terms of the problem.
-    ///
-    /// # Errors
-    /// When rows or masses are refused.
-    pub fn problem(&self) -> Result<(ContactProblem, Blocks, Vec<f64>), ResponseError> {
-        let mut problem = ContactProblem::new(self.width, self.inverse_masses.concat())?;
-        let (mut blocks, mut constants) = (Blocks::default(), Vec::new());
-        for block in &self.blocks {
-            let first = problem.len();
-            for (place, row) in block.rows.iter().enumerate() {
-                let mut unit = vec![0.0; if row.entries.is_empty() { self.width } else { 0 }];
-                let number = problem.len();
-                if let Some(own) = unit.get_mut(number) {
-                    *own = 1.0;
-                }
-                let mut entries: Vec<(usize, &[f64])> = row.entries.iter().map(|(body, of)| (*body, &of[..])).collect();
-                if entries.is_empty() {
-                    entries.push((0, &unit));
-                }
-                // A soft row along a normal is that of a bearing: what presses it is given.
-                let is_soft = row.compliance > 0.0;
-                if place == 0 && block.law.pushes() && !is_soft {
-                    problem.push_row(&entries)?;
-                } else {
-                    problem.push_held_row(&entries)?;
-                }
-                if is_soft {
-                    problem.soften(number, row.compliance)?;
-                }
-                constants.push(row.constant);
-            }
-            blocks.push(block.law, first..problem.len());
-        }
-        Ok((problem, blocks, constants))
-    }
 }
 
 fn numbers(text: &str) -> Option<Vec<f64>> {
@@ -231,19 +192,9 @@ fn write_numbers(f: &mut fmt::Formatter<'_>, before: &str, numbers: &[f64]) -> f
 
 #[cfg(test)]
 mod tests {
-    //! What is read is what was meant; what is no problem is told.
+    //! What is no problem is told.
     #![allow(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
     use super::*;
-
-    #[test]
-    fn what_presses_a_bearing_is_read_with_its_compliance() {
-        let text = format!("{HEAD}\nwidth 1\nbody 0.5\nblock cone 2 0.25\nrow -2 0.5 0 0 0\nrow 3 0 0 0 1\n");
-        let (rows, blocks, constants) = ProblemText::read(&text).unwrap().0.problem().unwrap();
-        assert_eq!(rows.compliances(), [(0, 0.5)]);
-        let settings = crate::friction::FrictionSettings::default();
-        let solved = blocks.solve(&rows.delassus(), &constants, None, &settings).unwrap();
-        assert_eq!(solved.reactions, [4.0, -1.0]);
-    }
 
     #[test]
     fn what_is_no_problem_is_refused_with_its_line() {

@@ -46,8 +46,6 @@ pub struct ComplementaritySolver {
     matrix: Vec<f64>,
     /// Which methods the search has tried.
     tried: MethodSet<Method>,
-    /// Methods that are left out, to see what the others find.
-    skipped: MethodSet<Method>,
 }
 
 /// The active set in twice the precision, with its problem.
@@ -200,11 +198,11 @@ impl ComplementaritySolver {
         };
         let (first, _) = answer(self);
         let again = |without: &[&str]| {
-            let skipped = MethodSet::of_names(without);
-            let mut other = Self { settings: self.settings, skipped, ..Self::default() };
+            let left_out = MethodSet::of_names(without);
+            let mut other = Self::new(SolverSettings { left_out, ..self.settings });
             other.search(data, warm_start);
             let (found, method) = answer(&other);
-            let is_new = !skipped.contains(method) && found.tried.contains(&found.method);
+            let is_new = !left_out.contains(method) && found.tried.contains(&found.method);
             is_new.then_some(found)
         };
         let size = Size { bodies: data.problem.bodies(), rows: data.b.len(), cones: 0 };
@@ -214,7 +212,7 @@ impl ComplementaritySolver {
 
     /// Notes that a method is tried; whether it is.
     fn begins(&mut self, method: Method) -> bool {
-        let is_tried = !self.skipped.contains(method);
+        let is_tried = !self.settings.left_out.contains(method);
         if is_tried {
             self.tried.insert(method);
         }
@@ -258,13 +256,10 @@ impl ComplementaritySolver {
             self.closed_form(data);
             return self.publish(data.b);
         }
-        let is_decided = match warm_start {
+        match warm_start {
             Some(start) => self.decide(data, start.rows(), Method::WarmStart),
             None => self.decide(data, &[], Method::ActiveSet),
         };
-        if !is_decided && warm_start.is_some() {
-            self.decide(data, &[], Method::ColdStart);
-        }
         self.refine_precisely(data);
         if self.best.report.status == SolverStatus::Solved && self.best.report.residual > SQUEEZE_ROUNDING {
             let rows = self.best.rows.clone();

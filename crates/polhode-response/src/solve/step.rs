@@ -21,6 +21,7 @@ use crate::complementarity::ContactSolution;
 use crate::delassus::Delassus;
 use crate::error::ResponseError;
 use crate::friction::{Blocks, BlocksSolution, FrictionSettings};
+use crate::method_set::MethodSet;
 use crate::problem::ContactProblem;
 use crate::report::SolverStatus;
 use crate::sparse::{BodySettings, BodySolver, HeldForest};
@@ -37,7 +38,8 @@ const SETTINGS_IN_BODIES: BodySettings = BodySettings {
     acceptance: EXACT_ENOUGH,
     factorisations: 150,
     warm_steps: 8,
-    rounds_of_sweeps: 0,
+    sweeps_first: false,
+    left_out: MethodSet::NONE,
 };
 
 /// What the steps of a run keep: the solvers of their groups.
@@ -45,8 +47,8 @@ const SETTINGS_IN_BODIES: BodySettings = BodySettings {
 pub struct StepMemory {
     /// By the first body of the group.
     solvers: BTreeMap<usize, BodySolver>,
-    /// Rounds of sweeps of each problem.
-    rounds_of_sweeps: usize,
+    /// Whether they are of heaps, whose problems begin with sweeps.
+    are_of_heaps: bool,
     /// Of rows without friction.
     of_pushes: Memory,
 }
@@ -54,7 +56,7 @@ pub struct StepMemory {
 impl Clone for StepMemory {
     /// Without the memory of the solvers, which changes no answer.
     fn clone(&self) -> Self {
-        Self::with_sweeps(self.rounds_of_sweeps)
+        Self { are_of_heaps: self.are_of_heaps, ..Self::default() }
     }
 }
 
@@ -70,9 +72,9 @@ pub struct StepRows<'a> {
 }
 
 impl StepMemory {
-    /// Steps of heaps, whose problems begin with so many rounds of sweeps.
-    pub fn with_sweeps(rounds_of_sweeps: usize) -> Self {
-        Self { rounds_of_sweeps, ..Self::default() }
+    /// Steps of heaps, whose problems begin with sweeps.
+    pub fn of_heaps() -> Self {
+        Self { are_of_heaps: true, ..Self::default() }
     }
 
     /// Forgets what it keeps.
@@ -95,8 +97,8 @@ impl StepMemory {
         } else {
             System::Rows(rows.delassus())
         };
-        let settings = BodySettings { rounds_of_sweeps: self.rounds_of_sweeps, ..SETTINGS_IN_BODIES };
-        let most_rows = if self.rounds_of_sweeps > 0 { STEP_MOST_ROWS_IN_HEAPS } else { STEP_MOST_ROWS };
+        let settings = BodySettings { sweeps_first: self.are_of_heaps, ..SETTINGS_IN_BODIES };
+        let most_rows = if self.are_of_heaps { STEP_MOST_ROWS_IN_HEAPS } else { STEP_MOST_ROWS };
         StepProblem { rows, constants, system, settings, most_rows, factorisations: 0 }
     }
 }

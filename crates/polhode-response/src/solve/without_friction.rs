@@ -43,7 +43,7 @@ pub(super) fn displacements(problem: &RowProblem<'_>, accuracy: f64) -> Result<O
     }
     blocks.hold(contacts..rows.len());
     let settings =
-        BodySettings { tolerance: accuracy, acceptance: accuracy, rounds_of_sweeps: 1, ..BodySettings::default() };
+        BodySettings { tolerance: accuracy, acceptance: accuracy, sweeps_first: true, ..BodySettings::default() };
     let system = (&mut BodySolver::default(), &settings);
     let (solved, _) = blocks.solve_in_bodies(rows, problem.known.constants, None, system)?;
     Ok((solved.report.status == SolverStatus::Solved).then(|| Answer::from(solved)))

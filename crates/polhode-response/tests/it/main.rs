@@ -27,6 +27,7 @@ mod law_left;
 mod laws;
 mod least_force;
 mod mass_ratios;
+mod methods_needed;
 mod methods_tried;
 mod multiple_frictional_impacts;
 mod one_door;

@@ -1,8 +1,8 @@
 //! A thousand problems that runs of scenes met (fixtures/problems), each solved by the one entry and judged by the laws
 //! of its blocks, as [`law_left`](crate::law_left) writes them down on its own.
 //!
-//! Each problem has its facts in its file: its name, what it is of (heap, loops, joints, friction), what was asked and in
-//! which scene. `unsolved` is why there is no answer today, `order` what else the order of its blocks changes.
+//! Each problem has its facts in its file: its name, what it is of (heap, loops, joints, friction), what was asked and
+//! in which scene. `unsolved` is why there is no answer today, `order` what else the order of its blocks changes.
 
 use crate::law_left::{left, size, velocities};
 use polhode_response::problem_text::ProblemText;
@@ -21,7 +21,7 @@ const OTHER_MOTION: f64 = 1e-6;
 /// What masses and forces are multiplied by: a power of two, which rounds nothing.
 const HEAVIER: f64 = 1_048_576.0;
 
-/// Most contacts whose forces are sought by the guesses of the thesis, which grow with the power of two of their number.
+/// Most contacts whose forces are sought by the guesses of the thesis: guesses double with each.
 const MOST_GUESSED: usize = 10;
 
 /// The problems, a file for each thing that was asked, and how many are in it.
@@ -36,17 +36,17 @@ const FILES: [(&str, usize); 7] = [
 ];
 
 /// A problem with what is known of it.
-struct Kept {
+pub(crate) struct Kept {
     facts: BTreeMap<String, String>,
-    problem: ProblemText,
+    pub(crate) problem: ProblemText,
 }
 
 impl Kept {
-    fn fact(&self, word: &str) -> &str {
+    pub(crate) fn fact(&self, word: &str) -> &str {
         self.facts.get(word).map_or("", String::as_str)
     }
 
-    fn name(&self) -> &str {
+    pub(crate) fn name(&self) -> &str {
         self.fact("name")
     }
 
@@ -87,7 +87,7 @@ impl Kept {
     }
 }
 
-fn all() -> Vec<Kept> {
+pub(crate) fn all() -> Vec<Kept> {
     let texts = FILES.iter().flat_map(|(file, _)| file.split("\n\n"));
     let kept = texts.map(|text| {
         let (problem, facts) = ProblemText::read(text.trim_start()).unwrap();
@@ -203,4 +203,16 @@ fn pushes_of_runs_are_borne_by_the_forces_of_the_thesis() {
         }
     }
     assert_eq!(solved, [163, 170]);
+}
+
+/// What presses a bearing is given by a soft row, which is read with its compliance.
+#[test]
+fn what_presses_a_bearing_is_read_with_its_compliance() {
+    let text = "polhode-problem 1\nwidth 1\nbody 0.5\nblock cone 2 0.25\nrow -2 0.5 0 0 0\nrow 3 0 0 0 1\n";
+    let (rows, blocks, constants) = ProblemText::read(text).unwrap().0.problem().unwrap();
+    assert_eq!(rows.compliances(), [(0, 0.5)]);
+    let known = Question { blocks: Some(&blocks), constants: &constants, ..Question::default() };
+    let asked = RowProblem { rows: &rows, joints: 0..0, known };
+    let found = solve(&asked, Ask::Step, &mut Memory::default()).unwrap();
+    assert_eq!(found.reactions, [4.0, -1.0]);
 }

@@ -692,8 +692,7 @@ fn push_inverse_mass(
     }
 }
 
-/// Largest change of any point of some bodies, bounded by their sizes, from their linear and angular changes: a
-/// displacement (m, rad) or a velocity (m/s, rad/s).
+/// Largest change of any point of some bodies, bounded by their sizes, from their linear and angular ones (m, rad; /s).
 pub(crate) fn largest_change(model: &Model, changes: impl Iterator<Item = (usize, DVec3, DVec3)>) -> f64 {
     let change =
         |(body, linear, angular): (usize, DVec3, DVec3)| linear.length() + angular.length() * model.bodies[body].size;
