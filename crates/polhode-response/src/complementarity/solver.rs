@@ -256,7 +256,7 @@ impl ComplementaritySolver {
             self.closed_form(data);
             return self.publish(data.b);
         }
-        match warm_start {
+        match warm_start.filter(|_| !self.settings.left_out.contains(Method::WarmStart)) {
             Some(start) => self.decide(data, start.rows(), Method::WarmStart),
             None => self.decide(data, &[], Method::ActiveSet),
         };
