@@ -7,6 +7,7 @@
 //! | module | holds |
 //! |---|---|
 //! | [`problem`] | [`ContactProblem`]: inverse masses and rows |
+//! | [`problem_text`] | such problems as plain text |
 //! | [`law`] | [`Law`]: what the rows of one constraint ask for together |
 //! | [`mod@solve`] | [`solve()`]: the one entry, which chooses the solver |
 //! | [`delassus`] | [`Delassus`]: the matrix `G` |
@@ -109,6 +110,7 @@ pub mod minimum_norm;
 pub mod penalty;
 mod precise;
 pub mod problem;
+pub mod problem_text;
 pub mod report;
 pub mod sequential_impulses;
 pub mod settings;

@@ -35,6 +35,11 @@ pub struct MethodSet<M> {
     of: PhantomData<M>,
 }
 
+impl<M> MethodSet<M> {
+    /// No method.
+    pub const NONE: Self = Self { bits: 0, of: PhantomData };
+}
+
 impl<M: ChainMethod> MethodSet<M> {
     /// Adds a method.
     pub fn insert(&mut self, method: M) {
@@ -88,7 +93,7 @@ impl<M> Copy for MethodSet<M> {}
 
 impl<M> Default for MethodSet<M> {
     fn default() -> Self {
-        Self { bits: 0, of: PhantomData }
+        Self::NONE
     }
 }
 

@@ -36,7 +36,7 @@ pub enum Method {
     WarmStart,
     /// The active set, after pivots.
     ActiveSet,
-    /// The active set from a cold start, after a warm start that did not succeed.
+    /// Contacts with friction: one of the methods after those from a start.
     ColdStart,
     /// The active set in twice the working precision: rows that nearly depend on each other, or squeeze bodies.
     PreciseActiveSet,

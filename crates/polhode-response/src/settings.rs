@@ -1,6 +1,8 @@
 //! Tolerances and limits of the contact solvers, each relative to the size of what it measures.
 
 use crate::error::ResponseError;
+use crate::method_set::MethodSet;
+use crate::report::Method;
 
 /// Settings of [`ComplementaritySolver`](crate::ComplementaritySolver) and of everything built on it.
 ///
@@ -25,6 +27,8 @@ pub struct SolverSettings {
     pub noise_floor: f64,
     /// Limit of pivots for each row before twice the precision is tried.
     pub pivots_per_row: u32,
+    /// Methods that are not tried, to see what the others find.
+    pub left_out: MethodSet<Method>,
 }
 
 impl Default for SolverSettings {
@@ -37,6 +41,7 @@ impl Default for SolverSettings {
             null_space_cut: 1e-11,
             noise_floor: 0.0,
             pivots_per_row: 20,
+            left_out: MethodSet::NONE,
         }
     }
 }

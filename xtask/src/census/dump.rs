@@ -1,4 +1,4 @@
-//! Problems as files: one each, in the format of `polhode_response::census::problem_text`.
+//! Problems as files: one each, in the format of `polhode_response::problem_text`.
 
 use super::asks::Ask;
 use polhode_response::census::Table;

@@ -1,16 +1,17 @@
-//! Problems of files solved again, by each chain from nothing: whether one chain would do for all.
+//! Problems of files solved again, by each chain from nothing: whether one chain would do for all. A file may hold
+//! several, with an empty line between two.
 //!
 //! Chains with friction accept the same residual here, though each measures its own: the chain of rows that in units of
 //! velocity, the chain of bodies that in units of impulse. Problems whose answer was that there is none count as not
 //! solved.
 
-use polhode_response::census::problem_text::ProblemText;
 use polhode_response::friction::FrictionSettings;
+use polhode_response::problem_text::ProblemText;
 use polhode_response::sparse::{BodySettings, BodySolver};
 use polhode_response::{Blocks, ContactProblem, SolverReport, SolverSettings, SolverStatus, solve_complementarity};
 use std::collections::BTreeMap;
 use std::error::Error;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 /// In a second.
@@ -55,33 +56,47 @@ struct Line {
     by_none: u32,
 }
 
+impl Line {
+    /// Solves a problem by each chain.
+    fn add(&mut self, problem: &ProblemText) -> Result<(), Box<dyn Error>> {
+        self.count += 1;
+        let (rows, blocks, constants) = problem.problem()?;
+        let mut is_solved = [false; CHAINS.len()];
+        for (place, done) in self.chains.iter_mut().enumerate() {
+            let start = Instant::now();
+            let report = solved(CHAINS[place], &rows, &blocks, &constants);
+            is_solved[place] = done.add(report, start.elapsed().as_secs_f64());
+        }
+        let [_, by_friction, by_bodies] = is_solved;
+        self.by_friction_alone += u32::from(by_friction && !by_bodies);
+        self.by_bodies_alone += u32::from(by_bodies && !by_friction);
+        self.by_none += u32::from(is_solved == [false; CHAINS.len()]);
+        Ok(())
+    }
+}
+
 /// Solves all problems of a folder and prints a table.
 pub(super) fn run(folder: &Path) -> Result<(), Box<dyn Error>> {
     let mut table: BTreeMap<[String; 2], Line> = BTreeMap::new();
     let mut paths: Vec<_> =
         std::fs::read_dir(folder)?.map(|entry| Ok(entry?.path())).collect::<Result<_, std::io::Error>>()?;
     paths.sort();
-    for path in paths {
-        let text = std::fs::read_to_string(&path)?;
-        let (problem, facts) = ProblemText::read(&text).map_err(|error| format!("{}: {error}", path.display()))?;
-        let fact = |word: &str| facts.iter().find(|(own, _)| own == word).map(|(_, fact)| fact.clone());
-        let of = [fact("asked"), fact("chain")].map(Option::unwrap_or_default);
-        let line = table.entry(of).or_default();
-        line.count += 1;
-        let (rows, blocks, constants) = problem.problem()?;
-        let mut is_solved = [false; CHAINS.len()];
-        for (place, done) in line.chains.iter_mut().enumerate() {
-            let start = Instant::now();
-            let report = solved(CHAINS[place], &rows, &blocks, &constants);
-            is_solved[place] = done.add(report, start.elapsed().as_secs_f64());
+    let is_text = |path: &PathBuf| path.extension().is_some_and(|extension| extension == "txt");
+    for path in paths.into_iter().filter(is_text) {
+        let file = std::fs::read_to_string(&path)?;
+        for text in file.split("\n\n") {
+            let read = ProblemText::read(text.trim_start());
+            let (problem, facts) = read.map_err(|error| format!("{}: {error}", path.display()))?;
+            let fact = |word: &str| facts.iter().find(|(own, _)| own == word).map(|(_, fact)| fact.clone());
+            let of = [fact("asked"), fact("chain").or_else(|| fact("kind"))].map(Option::unwrap_or_default);
+            table.entry(of).or_default().add(&problem)?;
         }
-        let [_, by_friction, by_bodies] = is_solved;
-        line.by_friction_alone += u32::from(by_friction && !by_bodies);
-        line.by_bodies_alone += u32::from(by_bodies && !by_friction);
-        line.by_none += u32::from(is_solved == [false; CHAINS.len()]);
     }
     let chains = CHAINS.map(|chain| format!("{chain}: solved of taken, worst, us"));
-    println!("| asked for | solved by | problems | {} | friction alone, bodies alone, none |", chains.join(" | "));
+    println!(
+        "| asked for | solved by, or of | problems | {} | friction alone, bodies alone, none |",
+        chains.join(" | ")
+    );
     println!("|---|---|---|---|---|---|---|");
     for ([ask, chain], line) in table {
         let cells = line.chains.map(|done| {

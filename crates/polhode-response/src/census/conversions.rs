@@ -1,52 +1,14 @@
-//! Problems of all solvers as text, and text as rows and blocks.
+//! Problems of all solvers as text.
 
-use super::problem_text::{ProblemText, TextBlock, TextRow};
-use crate::error::ResponseError;
-use crate::friction::Blocks;
 use crate::friction::problem::FrictionProblem;
 use crate::friction::rows_behind::RowsBehind;
 use crate::law::Law;
 use crate::problem::ContactProblem;
+use crate::problem_text::{ProblemText, TextBlock, TextRow};
 use crate::sparse::BodyProblem;
 
 /// Coordinates of a body in space.
 const WIDTH: usize = 6;
-
-impl ProblemText {
-    /// Rows, blocks and constant terms of the problem.
-    ///
-    /// # Errors
-    /// When rows or masses are refused.
-    pub fn problem(&self) -> Result<(ContactProblem, Blocks, Vec<f64>), ResponseError> {
-        let mut problem = ContactProblem::new(self.width, self.inverse_masses.concat())?;
-        let (mut blocks, mut constants) = (Blocks::default(), Vec::new());
-        for block in &self.blocks {
-            let first = problem.len();
-            for (place, row) in block.rows.iter().enumerate() {
-                let mut unit = vec![0.0; if row.entries.is_empty() { self.width } else { 0 }];
-                let number = problem.len();
-                if let Some(own) = unit.get_mut(number) {
-                    *own = 1.0;
-                }
-                let mut entries: Vec<(usize, &[f64])> = row.entries.iter().map(|(body, of)| (*body, &of[..])).collect();
-                if entries.is_empty() {
-                    entries.push((0, &unit));
-                }
-                if place == 0 && block.law.pushes() {
-                    problem.push_row(&entries)?;
-                } else {
-                    problem.push_held_row(&entries)?;
-                    if row.compliance > 0.0 {
-                        problem.soften(number, row.compliance)?;
-                    }
-                }
-                constants.push(row.constant);
-            }
-            blocks.push(block.law, first..problem.len());
-        }
-        Ok((problem, blocks, constants))
-    }
-}
 
 impl ContactProblem {
     /// These rows (all when `None`) with their constant terms.
@@ -132,5 +94,28 @@ impl BodyProblem {
             TextBlock { law: block.law, rows: block.rows.clone().enumerate().map(row).collect() }
         });
         ProblemText { width: WIDTH, inverse_masses: vec![unit; self.movable_bodies()], blocks: blocks.collect() }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    //! What is written is read again, and is the problem that it was made of.
+    #![allow(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
+    use super::*;
+    use crate::friction::{Blocks, FrictionSettings, solve_friction};
+
+    #[test]
+    fn a_problem_is_read_as_it_was_written_and_has_the_same_answer() {
+        let contact = Law::Cone { rows: 3, friction: 0.5 };
+        let matrix = [0.5, 0.1, 0.0, 0.1, 0.6, 0.0, 0.0, 0.0, 0.7];
+        let problem = FrictionProblem::from_dense(vec![contact], &matrix, vec![-3.0, 4.0, 1.0]).unwrap();
+        let text = problem.text(None).written(&[("asked", "step".to_owned())]);
+        let (read, facts) = ProblemText::read(&text).unwrap();
+        assert_eq!(facts, [("asked".to_owned(), "step".to_owned())]);
+        assert_eq!(read, problem.text(None));
+        let (rows, blocks, constants): (_, Blocks, _) = read.problem().unwrap();
+        let settings = FrictionSettings::default();
+        let again = blocks.solve(&rows.delassus(), &constants, None, &settings).unwrap();
+        assert_eq!(again.reactions, solve_friction(&problem, None, &settings).unwrap().reactions);
     }
 }

@@ -10,14 +10,12 @@
 //!
 //! | module | holds |
 //! |---|---|
-//! | [`problem_text`] | problems as text, written and read |
-//! | `conversions` | problems of all solvers as such text |
+//! | `conversions` | problems of all solvers as [text](crate::problem_text) |
 
 mod conversions;
-pub mod problem_text;
 
+use crate::problem_text::ProblemText;
 use crate::report::SolverStatus;
-use problem_text::ProblemText;
 use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
 use std::panic::Location;
@@ -299,11 +297,12 @@ pub(crate) fn note(
     };
     // The table is free meanwhile.
     let (mut others, mut without) = (Vec::new(), vec![answer.method]);
-    while is_asked {
+    if is_asked {
         // Each answer is by a method that has not answered yet.
-        let Some(other) = again(&without).filter(|other| !without.contains(&other.method)) else { break };
-        without.push(other.method);
-        others.push(other);
+        while let Some(other) = again(&without).filter(|other| !without.contains(&other.method)) {
+            without.push(other.method);
+            others.push(other);
+        }
     }
     let mut by_sets = Vec::new();
     for (number, set) in sets.iter().enumerate().filter(|_| is_asked) {
@@ -434,7 +433,7 @@ mod tests {
     //! Solves are counted under who asked, with what the next methods gave.
     #![allow(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
     use super::*;
-    use crate::{ContactProblem, SolverSettings, solve_complementarity};
+    use crate::{ContactProblem, SolverSettings, WarmStart, solve_complementarity};
 
     #[test]
     fn a_solve_is_counted_under_the_line_that_asked_with_what_the_next_methods_give() {
@@ -445,14 +444,15 @@ mod tests {
         let (delassus, settings) = (problem.delassus(), SolverSettings::default());
         set_scene("a beam on pillars");
         keep_problems(1);
+        let start = WarmStart::new(vec![0, 2]);
         let line = line!() + 1;
-        let solution = solve_complementarity(&problem, &delassus, &[-9.81; 3], None, &settings).unwrap();
+        let solution = solve_complementarity(&problem, &delassus, &[-9.81; 3], Some(&start), &settings).unwrap();
         let table = take();
         let (kind, counted) = table.kinds.iter().find(|(kind, _)| kind.file == file!() && kind.line == line).unwrap();
-        assert_eq!((kind.chain, kind.method), (Chain::ActiveSet, "active-set"));
-        assert_eq!(solution.report.tried.to_string(), "active-set");
+        assert_eq!((kind.chain, kind.method), (Chain::ActiveSet, "warm-start"));
+        assert_eq!(solution.report.tried.to_string(), "warm-start");
         assert_eq!((counted.count, counted.unsolved, counted.asked, counted.others_as_good), (1, 0, 1, 1));
-        assert_eq!(counted.next.first_key_value().unwrap().0, &(1, "all-held"));
+        assert_eq!(counted.next.first_key_value().unwrap().0, &(1, "active-set"));
         assert_eq!(counted.scenes, BTreeSet::from(["a beam on pillars".to_owned()]));
         assert_eq!(counted.kept[0].problem.blocks.len(), 3);
     }

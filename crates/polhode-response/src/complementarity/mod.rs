@@ -9,10 +9,10 @@
 //! A bilateral row asks for `w_i = 0` instead, with a force of either sign: it is always in the active set, or depends
 //! on bilateral rows that are. Rows that contradict each other end as [`Inaccurate`](crate::SolverStatus::Inaccurate).
 //!
-//! Method: an active set, exact up to rounding, warm-started from the rows that carried force last time; when it
-//! does not succeed, a cold start; where rows depend on each other nearly, or squeeze bodies, the same active set in
-//! twice the precision, which tells directions apart down to 1e-14 and certifies that there are no forces. (Starts from
-//! all rows, and an interior point behind the active set, never gave an answer: docs/census.md.)
+//! Method: an active set, exact up to rounding, warm-started from the rows that carried force last time; where
+//! rows depend on each other nearly, or squeeze bodies, the same active set in twice the precision, which tells
+//! directions apart down to 1e-14 and certifies that there are no forces. (Starts from all rows, a cold start after a
+//! warm one, and an interior point behind the active set, never gave an answer: docs/census.md.)
 //!
 //! | module | holds |
 //! |---|---|

@@ -15,6 +15,7 @@ use crate::precise;
 use crate::problem::ContactProblem;
 use crate::report::{Method, SolverReport, SolverStatus};
 use crate::settings::SolverSettings;
+use crate::tolerances::LARGEST_RESIDUAL_ROUNDING;
 use polhode_spatial::DoubleDouble;
 use polhode_spatial::rounding;
 
@@ -45,8 +46,6 @@ pub struct ComplementaritySolver {
     matrix: Vec<f64>,
     /// Which methods the search has tried.
     tried: MethodSet<Method>,
-    /// Methods that are left out, to see what the others find.
-    skipped: MethodSet<Method>,
 }
 
 /// The active set in twice the precision, with its problem.
@@ -199,11 +198,11 @@ impl ComplementaritySolver {
         };
         let (first, _) = answer(self);
         let again = |without: &[&str]| {
-            let skipped = MethodSet::of_names(without);
-            let mut other = Self { settings: self.settings, skipped, ..Self::default() };
+            let left_out = MethodSet::of_names(without);
+            let mut other = Self::new(SolverSettings { left_out, ..self.settings });
             other.search(data, warm_start);
             let (found, method) = answer(&other);
-            let is_new = !skipped.contains(method) && found.tried.contains(&found.method);
+            let is_new = !left_out.contains(method) && found.tried.contains(&found.method);
             is_new.then_some(found)
         };
         let size = Size { bodies: data.problem.bodies(), rows: data.b.len(), cones: 0 };
@@ -213,7 +212,7 @@ impl ComplementaritySolver {
 
     /// Notes that a method is tried; whether it is.
     fn begins(&mut self, method: Method) -> bool {
-        let is_tried = !self.skipped.contains(method);
+        let is_tried = !self.settings.left_out.contains(method);
         if is_tried {
             self.tried.insert(method);
         }
@@ -257,20 +256,30 @@ impl ComplementaritySolver {
             self.closed_form(data);
             return self.publish(data.b);
         }
-        let is_decided = match warm_start {
+        match warm_start.filter(|_| !self.settings.left_out.contains(Method::WarmStart)) {
             Some(start) => self.decide(data, start.rows(), Method::WarmStart),
             None => self.decide(data, &[], Method::ActiveSet),
         };
-        if !is_decided && warm_start.is_some() {
-            self.decide(data, &[], Method::ColdStart);
-        }
         self.refine_precisely(data);
         if self.best.report.status == SolverStatus::Solved && self.best.report.residual > SQUEEZE_ROUNDING {
             let rows = self.best.rows.clone();
             self.attempt_precisely(data, &rows);
         }
         self.sharpen_bound(data);
+        self.refuse_rounding(data.b);
         self.publish(data.b);
+    }
+
+    /// Refuses forces of which no active set is certified, and which hold nothing once they are rounded: rows that
+    /// contradict each other by a rounding are exact with forces so large that more than that is left of their sum.
+    fn refuse_rounding(&mut self, b: &[f64]) {
+        let rounding = f64::EPSILON * largest(&self.best.scales);
+        let size = largest(b).max(NOISE_ALLOWED * self.settings.noise_floor);
+        let report = &mut self.best.report;
+        let is_rounding = !report.certified && rounding > LARGEST_RESIDUAL_ROUNDING * size;
+        if is_rounding && report.status == SolverStatus::Solved {
+            report.status = SolverStatus::Inaccurate;
+        }
     }
 
     /// The active set in working precision and, where that does not do, in twice the precision. Whether there is an

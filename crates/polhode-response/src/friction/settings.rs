@@ -1,6 +1,8 @@
 //! Tolerances and limits of the frictional contact solver.
 
 use crate::error::ResponseError;
+use crate::friction::solution::FrictionMethod;
+use crate::method_set::MethodSet;
 
 /// What a solve may do when Newton's method does not succeed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -34,6 +36,8 @@ pub struct FrictionSettings {
     pub fallback: FallbackPolicy,
     /// Which reactions are taken where they are not unique.
     pub redundancy: Redundancy,
+    /// Methods that are not tried, to see what the others find.
+    pub left_out: MethodSet<FrictionMethod>,
 }
 
 /// Which reactions are taken where contacts depend on each other (four corners of a box), so that they are not unique.
@@ -60,6 +64,7 @@ impl Default for FrictionSettings {
             last_sweeps: 1000,
             fallback: FallbackPolicy::SlowerMethods,
             redundancy: Redundancy::Any,
+            left_out: MethodSet::NONE,
         }
     }
 }

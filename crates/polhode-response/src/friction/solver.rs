@@ -16,6 +16,7 @@ use crate::friction::settings::FallbackPolicy;
 use crate::friction::settings::{FrictionSettings, Redundancy};
 use crate::friction::solution::{FrictionMethod, FrictionReport, FrictionSolution};
 use crate::law::Law;
+#[cfg(feature = "census")]
 use crate::method_set::MethodSet;
 use crate::report::SolverStatus;
 use crate::solve::way::LEAST_NORM_MOST_ROWS;
@@ -63,23 +64,17 @@ pub fn solve_friction(
         check_length("start", problem.rows(), start.len())?;
         check_finite("start", start)?;
     }
-    let solution = solve_without(MethodSet::default(), problem, start, settings);
+    let solution = answer_of(problem, start, settings);
     #[cfg(feature = "census")]
     counted(problem, start, settings, &solution);
     Ok(solution)
 }
 
-/// The answer of the chain without some of its methods.
-fn solve_without(
-    skipped: MethodSet<FrictionMethod>,
-    problem: &FrictionProblem,
-    start: Option<&[f64]>,
-    settings: &FrictionSettings,
-) -> FrictionSolution {
+/// The answer of the chain.
+fn answer_of(problem: &FrictionProblem, start: Option<&[f64]>, settings: &FrictionSettings) -> FrictionSolution {
     let mut solver = Solver {
         problem,
         settings,
-        skipped,
         newton: Newton::new(problem),
         gauss_seidel: GaussSeidel::new(problem),
         best: Iterate::default(),
@@ -107,7 +102,8 @@ fn counted(problem: &FrictionProblem, start: Option<&[f64]>, settings: &Friction
         }
     };
     let again = |without: &[&str]| {
-        let other = solve_without(MethodSet::of_names(without), problem, start, settings);
+        let left_out = MethodSet::of_names(without);
+        let other = answer_of(problem, start, &FrictionSettings { left_out, ..*settings });
         // Nothing but zero is left, or no method at all.
         other.report.tried.contains(other.report.method).then(|| answer(&other))
     };
@@ -124,8 +120,6 @@ fn counted(problem: &FrictionProblem, start: Option<&[f64]>, settings: &Friction
 struct Solver<'a> {
     problem: &'a FrictionProblem,
     settings: &'a FrictionSettings,
-    /// Methods that are left out, to see what the others find.
-    skipped: MethodSet<FrictionMethod>,
     newton: Newton<'a>,
     gauss_seidel: GaussSeidel,
     best: Iterate,
@@ -305,7 +299,7 @@ impl Solver<'_> {
 
     /// Notes that a method is tried; whether it is.
     fn begins(&mut self, method: FrictionMethod) -> bool {
-        let is_tried = !self.skipped.contains(method);
+        let is_tried = !self.settings.left_out.contains(method);
         if is_tried {
             self.report.tried.insert(method);
         }
@@ -340,7 +334,7 @@ impl Solver<'_> {
     /// Keeps an answer if it is the best; whether the tolerance is reached.
     fn keep(&mut self, iterate: Iterate, method: FrictionMethod) -> bool {
         let is_better = iterate.residual < self.best.residual || self.best.residual.is_nan();
-        if is_better && !self.skipped.contains(method) {
+        if is_better && !self.settings.left_out.contains(method) {
             self.best = iterate;
             self.report.method = method;
         }

@@ -4,12 +4,13 @@ use super::answer::Answer;
 use super::problem::{Ask, Question, RowProblem};
 use super::{matrix, way};
 use crate::dense::householder::PivotedQr;
-use crate::dense::kernels::dot;
+use crate::dense::kernels::{dot, largest};
 use crate::error::{ResponseError, check_length};
 use crate::least_norm_hold::LeastNormHold;
 use crate::problem::ContactProblem;
+use crate::report::{SolverReport, SolverStatus};
 use crate::sparse::{ForestSolution, HeldForest};
-use crate::tolerances::DEPENDENT as DEPENDENT_COLUMN;
+use crate::tolerances::{DEPENDENT as DEPENDENT_COLUMN, EXACT_ENOUGH};
 use std::ops::Range;
 
 /// The reactions of joints that hold against these constant terms: beside their trees, or with the matrix of all rows;
@@ -23,12 +24,26 @@ pub(super) fn hold(problem: &RowProblem<'_>, ask: Ask<'_>) -> Result<Answer, Res
     if ask == Ask::Hold
         && let Some(forest) = way::trees(rows, joints.clone())
     {
-        return Ok(hold_beside(rows, &forest, constants, 0.0)?.into());
+        let held = hold_beside(rows, &forest, constants, 0.0)?;
+        return Ok(Answer { report: report_of(&held.rates, constants), ..held.into() });
     }
     let delassus = matrix::of(rows)?;
     let reactions = LeastNormHold::factor(&delassus)?.solve(&delassus, constants)?;
-    let left = delassus.times(&reactions)?.iter().zip(*constants).map(|(given, constant)| given + constant).collect();
-    Ok(Answer { reactions, velocities: left, ..Answer::default() })
+    let given = delassus.times(&reactions)?;
+    let velocities: Vec<f64> = given.iter().zip(*constants).map(|(given, constant)| given + constant).collect();
+    let report = report_of(&velocities, constants);
+    Ok(Answer { reactions, velocities, report, ..Answer::default() })
+}
+
+/// The certificate of reactions that leave this of the constant terms of rows that hold: rows that contradict each
+/// other are not solved for.
+pub(super) fn report_of(left: &[f64], constants: &[f64]) -> SolverReport {
+    let (left, size) = (largest(left), largest(constants));
+    let residual = if left == 0.0 { 0.0 } else { left / size };
+    // Written so that NaN is not solved.
+    let is_held = residual <= EXACT_ENOUGH;
+    let status = if is_held { SolverStatus::Solved } else { SolverStatus::Inaccurate };
+    SolverReport { status, residual, ..SolverReport::default() }
 }
 
 /// The same where trees of joints are eliminated first, of rows that are open by this part of the size of their bodies.

@@ -16,6 +16,7 @@
 //! | [`held`] | rows that hold, by the reactions of least norm |
 //! | [`removal`] | what takes gaps and velocities out of rows that hold |
 //! | [`step`] | blocks with friction over a time step |
+//! | `text` | problems as text, made into rows and blocks |
 
 pub mod answer;
 pub mod held;
@@ -26,6 +27,7 @@ pub mod problem;
 pub mod removal;
 mod stage;
 pub mod step;
+mod text;
 pub mod way;
 mod without_friction;
 

@@ -6,9 +6,11 @@
 //! answer, which [says so](Answer::beyond_cones).
 
 use super::answer::Answer;
+use super::held::report_of;
 use super::problem::{Memory, RowProblem};
 use super::{matrix, way};
 use crate::delassus::Delassus;
+use crate::dense::kernels::dot;
 use crate::error::ResponseError;
 use crate::friction::Blocks;
 use crate::law::Law;
@@ -27,23 +29,33 @@ pub(super) fn solve(problem: &RowProblem<'_>, blocks: &Blocks, memory: &mut Memo
     let held = rows.len().saturating_sub(sliding.len());
     let constants = problem.known.constants;
     let constants = constants.get(..held).unwrap_or(constants);
-    if sliding.is_empty() {
-        let least = if let Some(forest) = way::trees(rows, problem.joints.clone()) {
-            beside(problem, &forest)?
-        } else {
-            matrix::fill(&mut memory.delassus, rows)?;
-            least_norm_forces(rows, &memory.delassus, constants)?
-        };
-        return Ok(Answer::from(least));
+    if sliding.is_empty()
+        && let Some(forest) = way::trees(rows, problem.joints.clone())
+    {
+        return beside(problem, &forest);
     }
     let delassus = &mut memory.delassus;
     matrix::fill(delassus, rows)?;
-    let least = least_norm_sliding_forces(rows, delassus, constants, &sliding)?;
-    within_cones((delassus, held, &sliding), blocks, least)
+    let found = if sliding.is_empty() {
+        Answer::from(least_norm_forces(rows, delassus, constants)?)
+    } else {
+        let least = least_norm_sliding_forces(rows, delassus, constants, &sliding)?;
+        within_cones((delassus, held, &sliding), blocks, least)?
+    };
+    let left: Vec<f64> = match &found.on_bodies {
+        Some(loads) => {
+            let mut all = constants.to_vec();
+            all.resize(rows.len(), 0.0);
+            rows.accelerations_under(&all, &found.reactions, loads)?
+        }
+        None => constants.iter().enumerate().map(|(row, own)| dot(delassus.row(row), &found.reactions) + own).collect(),
+    };
+    let report = report_of(&left[..constants.len()], constants);
+    Ok(Answer { report, ..found })
 }
 
 /// The forces of rows that are all held: of those beside the trees the least ones.
-fn beside(problem: &RowProblem<'_>, forest: &HeldForest) -> Result<LeastNormForces, ResponseError> {
+fn beside(problem: &RowProblem<'_>, forest: &HeldForest) -> Result<Answer, ResponseError> {
     let (rows, constants) = (problem.rows, problem.known.constants);
     let of_others = if forest.others().is_empty() {
         Vec::new()
@@ -51,7 +63,9 @@ fn beside(problem: &RowProblem<'_>, forest: &HeldForest) -> Result<LeastNormForc
         let BesideForest { problem: beside, delassus, .. } = forest.beside(rows);
         least_norm_forces(&beside, &delassus, &forest.constants_beside(rows, constants)?)?.forces
     };
-    Ok(LeastNormForces { forces: forest.with_others(rows, constants, &of_others)?.forces, loads: None })
+    let held = forest.with_others(rows, constants, &of_others)?;
+    let report = report_of(&held.rates, constants);
+    Ok(Answer { reactions: held.forces, report, ..Answer::default() })
 }
 
 /// The rows along which contacts slide or turn, in their order.

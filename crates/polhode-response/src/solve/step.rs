@@ -22,6 +22,7 @@ use crate::complementarity::ContactSolution;
 use crate::delassus::Delassus;
 use crate::error::ResponseError;
 use crate::friction::{Blocks, BlocksSolution, FrictionSettings};
+use crate::method_set::MethodSet;
 use crate::problem::ContactProblem;
 use crate::report::SolverStatus;
 use crate::sparse::{BodySettings, BodySolver, HeldForest};
@@ -38,7 +39,8 @@ const SETTINGS_IN_BODIES: BodySettings = BodySettings {
     acceptance: EXACT_ENOUGH,
     factorisations: 150,
     warm_steps: 8,
-    rounds_of_sweeps: 0,
+    sweeps_first: false,
+    left_out: MethodSet::NONE,
 };
 
 /// What the steps of a run keep: the solvers of their groups.
@@ -46,8 +48,8 @@ const SETTINGS_IN_BODIES: BodySettings = BodySettings {
 pub struct StepMemory {
     /// By the first body of the group.
     solvers: BTreeMap<usize, BodySolver>,
-    /// Rounds of sweeps of each problem.
-    rounds_of_sweeps: usize,
+    /// Whether they are of heaps, whose problems begin with sweeps.
+    are_of_heaps: bool,
     /// Of rows without friction.
     of_pushes: Memory,
 }
@@ -55,7 +57,7 @@ pub struct StepMemory {
 impl Clone for StepMemory {
     /// Without the memory of the solvers, which changes no answer.
     fn clone(&self) -> Self {
-        Self::with_sweeps(self.rounds_of_sweeps)
+        Self { are_of_heaps: self.are_of_heaps, ..Self::default() }
     }
 }
 
@@ -71,9 +73,9 @@ pub struct StepRows<'a> {
 }
 
 impl StepMemory {
-    /// Steps of heaps, whose problems begin with so many rounds of sweeps.
-    pub fn with_sweeps(rounds_of_sweeps: usize) -> Self {
-        Self { rounds_of_sweeps, ..Self::default() }
+    /// Steps of heaps, whose problems begin with sweeps.
+    pub fn of_heaps() -> Self {
+        Self { are_of_heaps: true, ..Self::default() }
     }
 
     /// Forgets what it keeps.
@@ -103,7 +105,7 @@ impl StepMemory {
         } else {
             System::Rows(matrix::of(rows)?)
         };
-        let settings = BodySettings { rounds_of_sweeps: self.rounds_of_sweeps, ..SETTINGS_IN_BODIES };
+        let settings = BodySettings { sweeps_first: self.are_of_heaps, ..SETTINGS_IN_BODIES };
         Ok(StepProblem { rows, constants, system, settings, factorisations: 0 })
     }
 }

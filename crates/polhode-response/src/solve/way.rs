@@ -15,7 +15,7 @@
 //! this crate.
 
 use crate::problem::ContactProblem;
-use crate::sparse::HeldForest;
+use crate::sparse::{HeldForest, are_movable};
 use std::ops::Range;
 
 /// From so many contacts in a group on the impulses of a step are found in the velocities of bodies (8 to 50).
@@ -93,9 +93,9 @@ pub const fn are_many_of_a_pair(contacts: usize) -> bool {
 }
 
 /// Whether a problem can be solved in the velocities of bodies: soft rows have no place there yet, nor have rows of
-/// gears between more than two bodies.
+/// gears between more than two bodies, nor bodies that some force cannot move.
 pub fn is_plain(problem: &ContactProblem) -> bool {
-    problem.compliances().is_empty() && problem.is_of_pairs()
+    problem.compliances().is_empty() && problem.is_of_pairs() && are_movable(problem)
 }
 
 /// The trees of the joints that these rows are of; none where they are few, where they have no factors, and where gears

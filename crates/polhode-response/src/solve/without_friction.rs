@@ -10,7 +10,7 @@ use crate::friction::Blocks;
 use crate::law::Law;
 use crate::report::SolverStatus;
 use crate::settings::SolverSettings;
-use crate::sparse::{BodySettings, BodySolver};
+use crate::sparse::{BodySettings, BodySolver, are_movable};
 
 /// By the active set: beside the trees of joints, or with the matrix of all rows.
 #[cfg_attr(feature = "census", track_caller)]
@@ -48,7 +48,7 @@ pub(super) fn without_matrix(problem: &RowProblem<'_>) -> Result<Option<Answer>,
 pub(super) fn displacements(problem: &RowProblem<'_>, accuracy: f64) -> Result<Option<Answer>, ResponseError> {
     let (rows, joints) = (problem.rows, &problem.joints);
     let contacts = rows.len() - joints.len();
-    if contacts < DISPLACEMENT_IN_BODIES || !rows.is_of_pairs() {
+    if contacts < DISPLACEMENT_IN_BODIES || !rows.is_of_pairs() || !are_movable(rows) {
         return Ok(None);
     }
     let mut blocks = Blocks::default();
@@ -57,7 +57,7 @@ pub(super) fn displacements(problem: &RowProblem<'_>, accuracy: f64) -> Result<O
     }
     blocks.hold(contacts..rows.len());
     let settings =
-        BodySettings { tolerance: accuracy, acceptance: accuracy, rounds_of_sweeps: 1, ..BodySettings::default() };
+        BodySettings { tolerance: accuracy, acceptance: accuracy, sweeps_first: true, ..BodySettings::default() };
     let system = (&mut BodySolver::default(), &settings);
     let (solved, _) = blocks.solve_in_bodies(rows, problem.known.constants, None, system)?;
     Ok((solved.report.status == SolverStatus::Solved).then(|| Answer::from(solved)))

@@ -1,5 +1,7 @@
 //! What a body of a sparse problem is to the solver: how it resists being set in motion.
 
+use crate::error::ResponseError;
+use crate::problem::ContactProblem;
 use crate::sparse::block6::{CholeskyBlock, Vector6, WIDTH};
 use crate::tolerances::MATRIX_ROUNDING;
 
@@ -64,6 +66,31 @@ impl BodyMass {
             Inertness::Inverse(block) => Some(of(block).map(MassFactor::OfInverse)),
         }
     }
+}
+
+/// Whether every force moves each body, in as many coordinates as a body in space has.
+pub(crate) fn are_movable(problem: &ContactProblem) -> bool {
+    let is_mass = |mass: &BodyMass| mass.factor().is_none_or(|factor| factor.is_ok());
+    masses_of(problem).is_ok_and(|masses| masses.iter().all(is_mass))
+}
+
+/// The masses of all bodies.
+pub(crate) fn masses_of(problem: &ContactProblem) -> Result<Vec<BodyMass>, ResponseError> {
+    let width = problem.width();
+    if width > WIDTH {
+        return Err(ResponseError::Width(width));
+    }
+    let of = |body: usize| {
+        let mut block: MassBlock = [0.0; WIDTH * WIDTH];
+        for k in 0..WIDTH {
+            block[k * WIDTH + k] = 1.0;
+        }
+        for (line, own) in block.chunks_exact_mut(WIDTH).zip(problem.inverse_mass(body).chunks_exact(width)) {
+            line[..width].copy_from_slice(own);
+        }
+        BodyMass::from_inverse_block(block)
+    };
+    Ok((0..problem.bodies()).map(of).collect())
 }
 
 /// A block is not symmetric and positive definite.

@@ -17,7 +17,7 @@ use crate::law::Law;
 use crate::problem::ContactProblem;
 use crate::report::{Method, SolverReport};
 use crate::sparse::block6::WIDTH;
-use crate::sparse::body::{BodyMass, MassBlock};
+use crate::sparse::body::masses_of;
 use crate::sparse::problem::{BodyProblem, BodyRows};
 use crate::sparse::settings::BodySettings;
 use crate::sparse::solution::{BodyMethod, BodyReport, BodySolution};
@@ -244,25 +244,6 @@ fn members_of(problem: &ContactProblem, row: usize) -> Members {
     members
 }
 
-/// The masses of all bodies.
-fn masses_of(problem: &ContactProblem) -> Result<Vec<BodyMass>, ResponseError> {
-    let width = problem.width();
-    if width > WIDTH {
-        return Err(ResponseError::Width(width));
-    }
-    let of = |body: usize| {
-        let mut block: MassBlock = [0.0; WIDTH * WIDTH];
-        for k in 0..WIDTH {
-            block[k * WIDTH + k] = 1.0;
-        }
-        for (line, own) in block.chunks_exact_mut(WIDTH).zip(problem.inverse_mass(body).chunks_exact(width)) {
-            line[..width].copy_from_slice(own);
-        }
-        BodyMass::from_inverse_block(block)
-    };
-    Ok((0..problem.bodies()).map(of).collect())
-}
-
 fn report_of(report: &BodyReport) -> SolverReport {
     SolverReport {
         status: report.status,
@@ -285,7 +266,6 @@ const fn in_general(method: BodyMethod) -> Method {
         | BodyMethod::Compliance
         | BodyMethod::FarCompliance
         | BodyMethod::Sweeps
-        | BodyMethod::FurtherSweeps
         | BodyMethod::Lagrangian => Method::ColdStart,
     }
 }

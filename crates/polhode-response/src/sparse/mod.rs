@@ -17,7 +17,7 @@
 //! | interior point | cold start, from the loads of sweeps or those that hold all | `interior_point.rs` |
 //! | | its cones and their algebra | `interior_cone.rs`, `cone_form.rs`, `jordan.rs` |
 //! | semismooth Newton | the end of it, and warm starts | `newton.rs` |
-//! | sweeps | contact after contact: the size of loads; a way out where Newton goes in circles | `sweeps.rs` |
+//! | sweeps | contact after contact: about the size of loads | `sweeps.rs` |
 //! | path of compliance | where neither comes to the end | `compliance_path.rs`, `compliant_law.rs` |
 //! | smoothing Newton | where the path turns back | `smoothing.rs`, `smoothed_cone.rs` |
 //! | balance | makes forces balance to rounding | `balance.rs` |
@@ -54,6 +54,8 @@ mod solution;
 mod solver;
 mod sweeps;
 mod system;
+
+pub(crate) use body::are_movable;
 
 pub use balance::BalancedForces;
 pub use beside_forest::{BesideForest, ForestSolution};

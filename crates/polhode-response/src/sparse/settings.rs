@@ -1,6 +1,8 @@
 //! Tolerances and limits of the solver in the velocities of bodies.
 
 use crate::error::ResponseError;
+use crate::method_set::MethodSet;
+use crate::sparse::solution::BodyMethod;
 
 /// Settings of [`BodySolver`](crate::sparse::BodySolver).
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -15,14 +17,22 @@ pub struct BodySettings {
     /// Steps of a warm start, before a cold one: it takes one or two where little has changed, eight where a box is
     /// pushed.
     pub warm_steps: usize,
-    /// Rounds of sweeps over all contacts: one before a cold start, which takes their loads, and the others after it,
-    /// each with Newton's method. 0: none.
-    pub rounds_of_sweeps: usize,
+    /// Whether a cold start takes its loads from sweeps over all contacts.
+    pub sweeps_first: bool,
+    /// Methods that are not tried, to see what the others find.
+    pub left_out: MethodSet<BodyMethod>,
 }
 
 impl Default for BodySettings {
     fn default() -> Self {
-        Self { tolerance: 1e-12, acceptance: 1e-8, factorisations: 150, warm_steps: 8, rounds_of_sweeps: 0 }
+        Self {
+            tolerance: 1e-12,
+            acceptance: 1e-8,
+            factorisations: 150,
+            warm_steps: 8,
+            sweeps_first: false,
+            left_out: MethodSet::NONE,
+        }
     }
 }
 

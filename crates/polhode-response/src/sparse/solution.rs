@@ -25,8 +25,6 @@ pub enum BodyMethod {
     Sweeps,
     /// The augmented Lagrangian of a problem without friction.
     Lagrangian,
-    /// As a stage only: further rounds of sweeps.
-    FurtherSweeps,
     /// As a stage only: the path of compliance from no reactions.
     FarCompliance,
     /// As a stage only: Newton's method from the best answer, at the end.
@@ -45,7 +43,6 @@ impl BodyMethod {
             Self::Compliance => "compliance-path",
             Self::Sweeps => "sweeps",
             Self::Lagrangian => "augmented-lagrangian",
-            Self::FurtherSweeps => "further-sweeps",
             Self::FarCompliance => "far-compliance-path",
             Self::LastNewton => "last-newton",
         }
@@ -60,7 +57,6 @@ impl ChainMethod for BodyMethod {
         Self::Lagrangian,
         Self::InteriorPoint,
         Self::Newton,
-        Self::FurtherSweeps,
         Self::Compliance,
         Self::Smoothing,
         Self::FarCompliance,
@@ -96,16 +92,6 @@ pub struct BodyReport {
     pub factorisations: usize,
     /// Those of a warm start.
     pub warm: usize,
-    /// Those of the interior point, that of the loads included.
-    pub interior: usize,
-    /// Those of Newton's method after it.
-    pub newton: usize,
-    /// Those of the path of compliance.
-    pub path: usize,
-    /// Those of the augmented Lagrangian.
-    pub lagrangian: usize,
-    /// Those of the smoothing Newton method.
-    pub smoothing: usize,
     /// Whether the elimination of the last solve was kept.
     pub kept_elimination: bool,
 }

@@ -1,15 +1,17 @@
 //! The chain of methods in the velocities of bodies, and one residual for all of them.
 //!
 //! Warm: semismooth Newton from the reactions given, where there is friction. Where that was not enough, and where
-//! sweeps are asked for, a first round of them. Without friction the augmented Lagrangian follows, with Newton's
+//! sweeps are asked for, some of them. Without friction the augmented Lagrangian follows, with Newton's
 //! method to the end. With friction: the interior point, from the loads that sweeps have found or from those that
-//! would hold everything, and Newton's method; further rounds of sweeps with Newton's method; where these find no
-//! answer, the path of compliance from the best one; where that turns back, smoothing Newton with Newton's method, and
-//! the path from no reactions at all. The best of all is returned, with its residual and what became of it.
+//! would hold everything, and Newton's method; where these find no answer, the path of compliance from the best one;
+//! where that turns back, smoothing Newton with Newton's method, and the path from no reactions at all. The best of all
+//! is returned, with its residual and what became of it. (Further rounds of sweeps gave no answer that no other method
+//! gives: docs/census.md.)
 
 #[cfg(feature = "census")]
 use crate::census::{self, Answer, Size};
 use crate::error::{ResponseError, check_finite, check_length};
+#[cfg(feature = "census")]
 use crate::method_set::MethodSet;
 use crate::report::SolverStatus;
 use crate::sparse::augmented_lagrangian::AugmentedLagrangian;
@@ -40,14 +42,11 @@ const NEWTON_STEPS: usize = 20;
 /// what rests stays at rest.
 const LAST_NEWTON_STEPS: usize = 12;
 
-/// Sweeps to and fro in the first round; each further round has twice as many (4 to 20).
+/// Sweeps to and fro before a cold start (4 to 20).
 const FIRST_SWEEPS: usize = 8;
 
-/// Rounds where contacts are redundant (1 to 3).
-const ROUNDS_FOR_REDUNDANT: usize = 2;
-
-/// Steps of Newton's method after each round of sweeps, and after the augmented Lagrangian.
-const NEWTON_STEPS_AFTER_ROUNDS: usize = 8;
+/// Steps of Newton's method after the augmented Lagrangian.
+const NEWTON_STEPS_AFTER_IT: usize = 8;
 
 /// Steps in which the residual must halve.
 const PATIENCE: usize = 3;
@@ -108,20 +107,14 @@ impl BodySolver {
             check_length("start", problem.rows(), start.len())?;
             check_finite("start", start)?;
         }
-        let solution = self.solve_without(MethodSet::default(), problem, start, settings);
+        let solution = self.run(problem, start, settings);
         #[cfg(feature = "census")]
         self.counted(problem, start, settings, &solution);
         Ok(solution)
     }
 
-    /// The answer of the chain without some of its stages.
-    fn solve_without(
-        &mut self,
-        skipped: MethodSet<BodyMethod>,
-        problem: &BodyProblem,
-        start: Option<&[f64]>,
-        settings: &BodySettings,
-    ) -> BodySolution {
+    /// The answer of the chain.
+    fn run(&mut self, problem: &BodyProblem, start: Option<&[f64]>, settings: &BodySettings) -> BodySolution {
         let report = BodyReport { kept_elimination: self.elimination.fits(problem), ..BodyReport::default() };
         if !report.kept_elimination {
             self.elimination = Elimination::of(problem);
@@ -131,7 +124,6 @@ impl BodySolver {
         let mut chain = Chain {
             problem,
             settings,
-            skipped,
             measure: &measure,
             elimination: &self.elimination,
             newton: BodyNewton::new(problem, &self.elimination, &measure),
@@ -161,7 +153,8 @@ impl BodySolver {
         };
         let mut solver = Self { elimination: self.elimination.clone(), system: BodySystem::default() };
         let again = |without: &[&str]| {
-            let other = solver.solve_without(MethodSet::of_names(without), problem, start, settings);
+            let left_out = MethodSet::of_names(without);
+            let other = solver.run(problem, start, &BodySettings { left_out, ..*settings });
             other.report.tried.contains(other.report.stage).then(|| answer(&other))
         };
         let cones = problem.blocks.iter().filter(|block| block.law.has_friction()).count();
@@ -175,22 +168,11 @@ impl BodySolver {
     }
 }
 
-/// Sweeps, and where they are.
-#[derive(Debug)]
-struct Swept {
-    sweeps: Sweeps,
-    reactions: Vec<f64>,
-    /// Rounds so far.
-    round: usize,
-}
-
 /// The methods with the best answer so far.
 #[derive(Debug)]
 struct Chain<'a> {
     problem: &'a BodyProblem,
     settings: &'a BodySettings,
-    /// Stages that are left out, to see what the others find.
-    skipped: MethodSet<BodyMethod>,
     measure: &'a Measure,
     elimination: &'a Elimination,
     newton: BodyNewton<'a>,
@@ -227,94 +209,63 @@ impl Chain<'_> {
             }
         }
         let swept = self.sweep(start);
-        if self.minimise(swept.as_ref()) {
+        if self.minimise(swept.as_deref()) {
             return;
         }
         self.cold(&without, swept);
     }
 
-    /// A first round of sweeps, where they are asked for and no block resists rotations: about the size of the answer.
-    fn sweep(&mut self, start: Option<&[f64]>) -> Option<Swept> {
-        let sweeps = Sweeps::new(self.problem).filter(|_| self.settings.rounds_of_sweeps > 0)?;
+    /// The reactions that some sweeps find, where they are asked for and no block resists rotations: about the size of
+    /// the answer.
+    fn sweep(&mut self, start: Option<&[f64]>) -> Option<Vec<f64>> {
+        let mut sweeps = Sweeps::new(self.problem).filter(|_| self.settings.sweeps_first)?;
         if !self.begins(BodyMethod::Sweeps) {
             return None;
         }
-        let reactions = start.map_or_else(|| vec![0.0; self.problem.rows()], <[f64]>::to_vec);
-        let mut swept = Swept { sweeps, reactions, round: 0 };
-        self.sweep_on(&mut swept);
-        Some(swept)
-    }
-
-    /// The next round, of twice as many sweeps.
-    fn sweep_on(&mut self, swept: &mut Swept) -> Iterate {
-        swept.sweeps.run(self.problem, &mut swept.reactions, FIRST_SWEEPS << swept.round);
-        swept.round += 1;
+        let mut reactions = start.map_or_else(|| vec![0.0; self.problem.rows()], <[f64]>::to_vec);
+        sweeps.run(self.problem, &mut reactions, FIRST_SWEEPS);
         let mut iterate = Iterate::default();
-        iterate.take(self.problem, self.measure, &swept.reactions);
+        iterate.take(self.problem, self.measure, &reactions);
         self.take(&iterate, BodyMethod::Sweeps);
-        iterate
+        Some(reactions)
     }
 
     /// The augmented Lagrangian where there is no friction. Returns whether the answer is found.
-    fn minimise(&mut self, swept: Option<&Swept>) -> bool {
+    fn minimise(&mut self, swept: Option<&[f64]>) -> bool {
         if !AugmentedLagrangian::takes(self.problem) || !self.begins(BodyMethod::Lagrangian) {
             return false;
         }
         let mut method = AugmentedLagrangian::new(self.problem, self.elimination, self.measure);
         let mut near = self.best.clone();
         if let Some(swept) = swept {
-            near.take(self.problem, self.measure, &swept.reactions);
+            near.take(self.problem, self.measure, swept);
         }
         let limits = NewtonLimits { most: self.left(), patience: PATIENCE, tolerance: self.enough() };
-        let before = self.system.factorisations;
         method.run(self.system, &mut near, limits);
-        self.report.lagrangian = self.system.factorisations - before;
         self.take(&near, BodyMethod::Lagrangian);
-        self.finish_with_newton(near, NEWTON_STEPS_AFTER_ROUNDS);
-        self.is_enough()
-    }
-
-    /// Further rounds of sweeps, each with Newton's method after it. Returns whether the answer is found.
-    fn sweep_and_finish(&mut self, mut swept: Swept) -> bool {
-        if !self.begins(BodyMethod::FurtherSweeps) {
-            return false;
-        }
-        swept.reactions.clone_from(&self.best.reactions);
-        let few = if Sweeps::is_for_redundant(self.problem) { ROUNDS_FOR_REDUNDANT } else { usize::MAX };
-        while swept.round < self.settings.rounds_of_sweeps.min(few) && !self.is_enough() {
-            let near = self.sweep_on(&mut swept);
-            self.finish_with_newton(near, NEWTON_STEPS_AFTER_ROUNDS);
-        }
+        self.finish_with_newton(near, NEWTON_STEPS_AFTER_IT);
         self.is_enough()
     }
 
     /// From nothing.
-    fn cold(&mut self, without: &Iterate, swept: Option<Swept>) {
-        let before = self.system.factorisations;
-        let loads = match &swept {
-            Some(swept) => swept.reactions.clone(),
-            None => self.newton.holding(self.system, without).to_vec(),
-        };
+    fn cold(&mut self, without: &Iterate, swept: Option<Vec<f64>>) {
+        let loads = swept.unwrap_or_else(|| self.newton.holding(self.system, without).to_vec());
         let mut point = InteriorPoint::new(self.problem, self.elimination, self.measure, &loads);
         if self.begins(BodyMethod::InteriorPoint) {
             let mut near = without.clone();
             point.run(self.system, &mut near, MOST_INTERIOR_STEPS.min(self.left()));
-            self.report.interior = self.system.factorisations - before;
             self.take(&near, BodyMethod::InteriorPoint);
             self.finish_with_newton(near, FIRST_NEWTON_STEPS);
         }
-        if self.is_reached() || swept.is_some_and(|swept| self.sweep_and_finish(swept)) {
+        if self.is_reached() {
             return;
         }
-        let before = self.system.factorisations;
         if !self.is_enough() && self.begins(BodyMethod::Compliance) {
             self.follow_paths(self.best.clone(), FACTORISATIONS_OF_A_PATH);
         }
-        self.report.path = self.system.factorisations - before;
         if !self.is_enough() {
             self.smooth(&point, &loads);
         }
-        let before = self.system.factorisations;
         if !self.is_enough() && self.begins(BodyMethod::FarCompliance) {
             let mut far = without.clone();
             let mut path = self.path(&loads, vec![0.0; self.problem.rows()]);
@@ -323,7 +274,6 @@ impl Chain<'_> {
             self.take(&far, BodyMethod::Compliance);
             self.follow_paths(far, FACTORISATIONS_OF_A_PATH);
         }
-        self.report.path += self.system.factorisations - before;
         if self.begins(BodyMethod::LastNewton) {
             self.finish_with_newton(self.best.clone(), LAST_NEWTON_STEPS);
         }
@@ -338,13 +288,11 @@ impl Chain<'_> {
         if !self.begins(BodyMethod::Smoothing) {
             return;
         }
-        let before = self.system.factorisations;
         let mut near = self.best.clone();
         let end = InteriorEnd { ratios: point.ratios(), weights: point.weights(), gap: point.gap() };
         let mut smoothing = Smoothing::new(self.problem, self.elimination, self.measure, loads, end, near.clone());
         let limits = SmoothingLimits { most: SMOOTHING_STEPS.min(self.left()), tolerance: self.settings.tolerance };
         smoothing.run(self.system, &mut near, limits);
-        self.report.smoothing += self.system.factorisations - before;
         self.take(&near, BodyMethod::Smoothing);
         self.finish_with_newton(near, NEWTON_STEPS);
     }
@@ -379,9 +327,7 @@ impl Chain<'_> {
     }
 
     fn finish_with_newton(&mut self, mut from: Iterate, most: usize) {
-        let before = self.system.factorisations;
         self.run_newton(&mut from, most);
-        self.report.newton += self.system.factorisations - before;
         self.take(&from, BodyMethod::Newton);
     }
 
@@ -393,7 +339,7 @@ impl Chain<'_> {
 
     /// Notes that a stage is tried; whether it is.
     fn begins(&mut self, stage: BodyMethod) -> bool {
-        let is_tried = !self.skipped.contains(stage);
+        let is_tried = !self.settings.left_out.contains(stage);
         if is_tried {
             self.report.tried.insert(stage);
             self.stage = stage;

@@ -1,13 +1,10 @@
-//! Block Gauss-Seidel in the velocities of bodies: a way out for Newton's method, which decides for all contacts at
-//! once.
+//! Block Gauss-Seidel in the velocities of bodies: about how large each load is.
 //!
 //! Contact after contact is solved exactly while the others keep their reactions; the velocities of its bodies follow
-//! at once, so that a sweep costs a few products for each contact and no matrix is formed. From blocks that move
-//! against each other Newton's method often goes in circles: which contacts part, stick and slide changes for many of
-//! them in every step. Sweeps change one after the other and find most of these sets, while their residual falls
-//! slowly; from there Newton's method takes a few steps. In a heap that falls a few sweeps also tell how large each
-//! load is, which loads that would hold everything do not: the interior point then takes half its steps. At large
-//! ratios of masses, and in high stacks, sweeps hardly help: then the other methods of the chain follow.
+//! at once, so that a sweep costs a few products for each contact and no matrix is formed. In a heap that falls a few
+//! sweeps tell how large each load is, which loads that would hold everything do not: the interior point then takes
+//! half its steps. At large ratios of masses, and in high stacks, sweeps hardly help: then the other methods of the
+//! chain follow.
 //!
 //! Sweeps go to and fro over the blocks in their order, so that the bits are those of the problem. Source: Jourdan,
 //! Alart and Jean 1998 (NSGS). Assumption: no block resists rotations. Failure: reactions that are no numbers are set
@@ -17,10 +14,6 @@ use crate::friction::coulomb_cone::rows_of;
 use crate::friction::single_contact::{self, Square};
 use crate::sparse::block6::{Vector6, dot6};
 use crate::sparse::problem::{BodyProblem, RowBlock};
-
-/// From this share of blocks between the same bodies as the block before on, contacts are taken for redundant (no
-/// unit).
-const REDUNDANT_SHARE: f64 = 0.5;
 
 /// The method for one problem.
 #[derive(Debug)]
@@ -38,14 +31,6 @@ impl Sweeps {
         }
         let diagonal = problem.blocks.iter().map(|block| diagonal_of(problem, block)).collect();
         Some(Self { diagonal, velocities: Vec::new() })
-    }
-
-    /// Whether most contacts are one of several between the same bodies: the corners of faces. Sweeps then hardly come
-    /// to an end, since loads wander between such contacts.
-    pub(crate) fn is_for_redundant(problem: &BodyProblem) -> bool {
-        let bodies = |block: &RowBlock| block.sides.map(|side| side.map(|side| side.node));
-        let same = problem.blocks.windows(2).filter(|two| bodies(&two[0]) == bodies(&two[1])).count();
-        same as f64 >= REDUNDANT_SHARE * problem.blocks.len() as f64
     }
 
     /// Makes so many sweeps to and fro from these reactions.

@@ -257,3 +257,28 @@ fn what_is_no_problem_is_refused_or_said_to_be_unsolved() {
     let found = solve(&RowProblem::new(&torn, &[1.0, -1.0]), Ask::Instant, &mut Memory::default()).unwrap();
     assert_ne!(found.report.status, SolverStatus::Solved, "{found:?}");
 }
+
+/// Bodies that some force cannot move, as one on a rail, have no place where many contacts are solved for in the
+/// velocities of bodies: the matrix of their rows answers, and nothing is refused.
+#[test]
+fn many_contacts_of_bodies_on_rails_are_answered_as_few_are() {
+    let mut rails = ContactProblem::new(2, [0.5, 0.0, 0.0, 0.0].repeat(100)).unwrap();
+    for body in 0..100 {
+        rails.push_row(&[(body, &[1.0, 0.3])]).unwrap();
+        rails.push_held_row(&[(body, &[0.0, 1.0])]).unwrap();
+    }
+    let mut blocks = Blocks::default();
+    (0..100).for_each(|body| blocks.push(Law::Cone { rows: 2, friction: 0.5 }, [2 * body, 2 * body + 1]));
+    let constants = [-1.0, 0.0].repeat(100);
+    let mut smooth = ContactProblem::new(2, [0.5, 0.0, 0.0, 0.0].repeat(100)).unwrap();
+    (0..100).for_each(|body| {
+        smooth.push_row(&[(body, &[1.0, 0.3])]).unwrap();
+    });
+    for of in [Ask::Step, Ask::Present, Ask::Instant] {
+        let found = ask(&rails, &blocks, &constants, of).unwrap();
+        assert!(found.reactions.iter().step_by(2).all(|own| (own - 2.0).abs() < 1e-12), "{of:?}: {found:?}");
+    }
+    let asked = Ask::Displacement { accuracy: 1e-9 };
+    let found = solve(&RowProblem::new(&smooth, &[-1.0; 100]), asked, &mut Memory::default()).unwrap();
+    assert!(found.reactions.iter().all(|own| (own - 2.0).abs() < 1e-12), "{found:?}");
+}

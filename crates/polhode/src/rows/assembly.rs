@@ -318,6 +318,7 @@ impl Assembly {
     ///
     /// # Errors
     /// When a list has another length than there are rows, or a number is not finite.
+    #[cfg_attr(feature = "census", track_caller)]
     pub(crate) fn answer(
         &self,
         known: Question<'_>,
@@ -691,8 +692,7 @@ fn push_inverse_mass(
     }
 }
 
-/// Largest change of any point of some bodies, bounded by their sizes, from their linear and angular changes: a
-/// displacement (m, rad) or a velocity (m/s, rad/s).
+/// Largest change of any point of some bodies, bounded by their sizes, from their linear and angular ones (m, rad; /s).
 pub(crate) fn largest_change(model: &Model, changes: impl Iterator<Item = (usize, DVec3, DVec3)>) -> f64 {
     let change =
         |(body, linear, angular): (usize, DVec3, DVec3)| linear.length() + angular.length() * model.bodies[body].size;

@@ -27,9 +27,9 @@ pub(super) struct ConeSolvers {
 }
 
 impl ConeSolvers {
-    /// Those that make so many rounds of sweeps.
-    pub(super) fn with_sweeps(rounds_of_sweeps: usize) -> Self {
-        Self { memory: StepMemory::with_sweeps(rounds_of_sweeps), last: LastForces::default() }
+    /// Those of heaps.
+    pub(super) fn of_heaps() -> Self {
+        Self { memory: StepMemory::of_heaps(), last: LastForces::default() }
     }
 
     /// Forgets the answers that problems would start from.

@@ -29,9 +29,6 @@ use std::collections::BTreeMap;
 /// to matter, and above the error of predicted times (of order h^2).
 const SAME_INSTANT: f64 = 1e-4;
 
-/// Most rounds of sweeps of a heap's problem (4 to 7).
-const ROUNDS_OF_SWEEPS: usize = 5;
-
 /// Where no impact is resolved at the start of a step for being there (s): no contact closes before its start.
 const NO_INSTANT: f64 = -1.0;
 
@@ -124,8 +121,8 @@ impl TimeStepper {
     /// step that is split at each of them would solve a problem of all contacts every time.
     pub(crate) fn for_heaps(mut self) -> Self {
         self.heaps = Heaps::Together;
-        self.cones = ConeSolvers::with_sweeps(ROUNDS_OF_SWEEPS);
-        self.cones_at_start = ConeSolvers::with_sweeps(ROUNDS_OF_SWEEPS);
+        self.cones = ConeSolvers::of_heaps();
+        self.cones_at_start = ConeSolvers::of_heaps();
         self
     }
 
