@@ -88,9 +88,8 @@ pub enum ResponseError {
     },
     /// Too many rows for their matrix.
     #[error(
-        "{rows} rows of contacts and joints are solved for together, and their matrix has {rows}^2 numbers: it is \
-         formed of at most {limit}; take steps that need no matrix, as those of tier = \"stepped\" of rows between two \
-         bodies, or fewer bodies that touch"
+        "{rows} rows of contacts and joints are coupled, and their matrix is formed of at most {limit}: let fewer bodies \
+         touch or be joined, or take time steps (tier = \"stepped\") without soft joints and gears, which need no matrix"
     )]
     TooManyRows {
         /// Number of rows.

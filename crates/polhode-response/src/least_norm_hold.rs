@@ -233,7 +233,7 @@ fn back_substitute(factor: &[f64], y: &mut [f64]) {
     back_substitute_from(factor, y, 0);
 }
 
-/// The same where the first numbers of `y` are zero, so many: only the later ones of `x` are found.
+/// The same where the first `first` entries of `y` are zero: only the later entries of `x` are found.
 fn back_substitute_from(factor: &[f64], y: &mut [f64], first: usize) {
     let n = y.len();
     for i in first..n {

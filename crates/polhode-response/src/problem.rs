@@ -528,9 +528,9 @@ fn push_products<const N: usize>(products: &mut Vec<f64>, matrix: &[f64], vector
 fn is_dominant<const N: usize>(matrix: &[f64]) -> bool {
     let (lines, _) = matrix.as_chunks::<N>();
     lines.iter().enumerate().all(|(row, line)| {
-        let magnitudes: f64 = line.iter().map(|entry| entry.abs()).sum();
+        let others: f64 = line.iter().enumerate().map(|(k, entry)| if k == row { 0.0 } else { entry.abs() }).sum();
         let is_symmetric = lines.iter().zip(line).take(row).all(|(other, entry)| other[row] == *entry);
-        is_symmetric && magnitudes <= 2.0 * line[row]
+        is_symmetric && others <= line[row]
     })
 }
 

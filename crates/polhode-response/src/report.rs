@@ -36,7 +36,7 @@ pub enum Method {
     WarmStart,
     /// The active set, after pivots.
     ActiveSet,
-    /// Contacts with friction: one of the methods after those from a start.
+    /// Contacts with friction: a method that begins from nothing.
     ColdStart,
     /// The active set in twice the working precision: rows that nearly depend on each other, or squeeze bodies.
     PreciseActiveSet,

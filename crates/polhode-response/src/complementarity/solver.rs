@@ -259,7 +259,7 @@ impl ComplementaritySolver {
         match warm_start.filter(|_| !self.settings.left_out.contains(Method::WarmStart)) {
             Some(start) => self.decide(data, start.rows(), Method::WarmStart),
             None => self.decide(data, &[], Method::ActiveSet),
-        };
+        }
         self.refine_precisely(data);
         if self.best.report.status == SolverStatus::Solved && self.best.report.residual > SQUEEZE_ROUNDING {
             let rows = self.best.rows.clone();
@@ -270,8 +270,8 @@ impl ComplementaritySolver {
         self.publish(data.b);
     }
 
-    /// Refuses forces of which no active set is certified, and which hold nothing once they are rounded: rows that
-    /// contradict each other by a rounding are exact with forces so large that more than that is left of their sum.
+    /// Refuses forces that no active set certifies and whose rounding is larger than the terms that they should hold:
+    /// rows that contradict each other by a rounding are exact with forces so large that more is left of their sum.
     fn refuse_rounding(&mut self, b: &[f64]) {
         let rounding = f64::EPSILON * largest(&self.best.scales);
         let size = largest(b).max(NOISE_ALLOWED * self.settings.noise_floor);
@@ -282,18 +282,17 @@ impl ComplementaritySolver {
         }
     }
 
-    /// The active set in working precision and, where that does not do, in twice the precision. Whether there is an
-    /// answer that is accepted, or a proof that there is none.
-    fn decide(&mut self, data: Data<'_>, start: &[usize], method: Method) -> bool {
+    /// The active set in working precision and, where that does not do, in twice the precision.
+    fn decide(&mut self, data: Data<'_>, start: &[usize], method: Method) {
         if !self.begins(method) {
-            return false;
+            return;
         }
         match self.attempt(data, start, method) {
-            Outcome::Accepted => true,
+            Outcome::Accepted => {}
             Outcome::PivotLimit => self.attempt_precisely(data, start),
             _ => {
                 let rows = self.active_set.rows().to_vec();
-                self.attempt_precisely(data, &rows)
+                self.attempt_precisely(data, &rows);
             }
         }
     }
@@ -356,10 +355,10 @@ impl ComplementaritySolver {
         outcome
     }
 
-    /// One run of the active set in twice the precision. Whether it decides.
-    fn attempt_precisely(&mut self, data: Data<'_>, start: &[usize]) -> bool {
+    /// One run of the active set in twice the precision.
+    fn attempt_precisely(&mut self, data: Data<'_>, start: &[usize]) {
         if !self.begins(Method::PreciseActiveSet) {
-            return false;
+            return;
         }
         let mut precise = std::mem::take(&mut self.precise);
         precise::delassus(data.problem, &data.all_rows(), &mut precise.matrix);
@@ -391,13 +390,11 @@ impl ComplementaritySolver {
         } else if outcome == Outcome::Converged && report.residual <= self.settings.acceptance {
             report.status = SolverStatus::Solved;
         }
-        let decided = report.status != SolverStatus::Inaccurate;
-        if decided {
+        if report.status != SolverStatus::Inaccurate {
             self.best.report.residual = f64::NAN;
         }
         self.offer(&precise.forces, &precise.w, precise.active_set.rows(), report);
         self.precise = precise;
-        decided
     }
 
     /// Whether forces move no body, to what rows that count as dependent may differ by.

@@ -3,6 +3,7 @@
 use super::answer::Answer;
 use super::problem::{Ask, Question, RowProblem};
 use super::{matrix, way};
+use crate::certificate::nan_max;
 use crate::dense::householder::PivotedQr;
 use crate::dense::kernels::{dot, largest};
 use crate::error::{ResponseError, check_length};
@@ -38,9 +39,10 @@ pub(super) fn hold(problem: &RowProblem<'_>, ask: Ask<'_>) -> Result<Answer, Res
 /// The certificate of reactions that leave this of the constant terms of rows that hold: rows that contradict each
 /// other are not solved for.
 pub(super) fn report_of(left: &[f64], constants: &[f64]) -> SolverReport {
-    let (left, size) = (largest(left), largest(constants));
+    let size = largest(constants);
+    // A number that is none stays one: it is not solved.
+    let left = left.iter().fold(0.0, |most: f64, left| nan_max(most, left.abs()));
     let residual = if left == 0.0 { 0.0 } else { left / size };
-    // Written so that NaN is not solved.
     let is_held = residual <= EXACT_ENOUGH;
     let status = if is_held { SolverStatus::Solved } else { SolverStatus::Inaccurate };
     SolverReport { status, residual, ..SolverReport::default() }
@@ -77,7 +79,7 @@ pub struct Independence {
 
 /// The roots of the inverse masses of all coordinates, where each body's mass is scaled so that its largest inverse
 /// mass at a row is 1.
-fn one_mass(rows: &ContactProblem) -> Vec<f64> {
+fn roots_of_alike_inverse_masses(rows: &ContactProblem) -> Vec<f64> {
     let of_body = |(body, largest): (usize, f64)| {
         let diagonal = rows.inverse_mass(body).iter().step_by(rows.width() + 1);
         diagonal.map(move |own| if largest > 0.0 { (own / largest).sqrt() } else { own.sqrt() })
@@ -108,7 +110,7 @@ impl Supports {
     /// Those of some of these rows.
     pub fn of(rows: &ContactProblem, held: Range<usize>) -> Self {
         let (width, count) = (rows.width(), held.len());
-        let metric = one_mass(rows);
+        let metric = roots_of_alike_inverse_masses(rows);
         let mut jacobian = vec![0.0; metric.len() * count];
         for (place, row) in held.clone().enumerate() {
             for entry in rows.entries(row) {

@@ -1,4 +1,4 @@
-//! The matrix of all rows, of those that are not too many for it.
+//! The matrix of all rows, refused where there are too many.
 
 use super::way::{MATRIX_MOST_ROWS, have_no_matrix};
 use crate::delassus::Delassus;

@@ -122,7 +122,9 @@ fn of_rows(problem: &RowProblem<'_>, ask: Ask<'_>, memory: &mut Memory) -> Resul
     {
         return Ok(found);
     }
-    if let Some(found) = without_friction::without_matrix(problem)? {
+    if !matches!(ask, Ask::Displacement { .. })
+        && let Some(found) = without_friction::without_matrix(problem)?
+    {
         return Ok(found);
     }
     Ok(without_friction::active_set(problem, memory)?.into())

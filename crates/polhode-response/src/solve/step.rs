@@ -94,7 +94,8 @@ impl StepMemory {
     ) -> Result<StepProblem<'a>, ResponseError> {
         let StepRows { problem, contacts, group } = of;
         let (rows, constants) = (problem.rows, problem.known.constants);
-        let system = if let Some(first) = group.filter(|_| way::is_in_bodies(rows, contacts)) {
+        let in_bodies = way::is_in_bodies(rows, contacts) || (way::have_no_matrix(rows.len()) && way::is_plain(rows));
+        let system = if let Some(first) = group.filter(|_| in_bodies) {
             System::Bodies { solver: self.solvers.entry(first).or_default(), start: start() }
         } else if rows.len() == contacts + problem.joints.len() {
             System::Pushes { problem, memory: &mut self.of_pushes }

@@ -7,7 +7,8 @@
 //! | forces on bodies at rest | the matrix of all rows, least norm | 100 contacts | the accelerations of bodies |
 //! | any, beside joints | the matrix of all rows | 24 rows of joints, 100 with loops | trees are eliminated first |
 //! | impulses of an impact with friction | the matrix of all rows | 144 rows | the velocities of bodies |
-//! | anything | | 4000 rows | the velocities of bodies where they can give it, else an error: no matrix is formed |
+//! | forces, impulses of steps, displacements | | 4000 rows | no matrix: the velocities of bodies |
+//! | impacts, rows that hold, forces by the thesis | the matrix of all rows | 4000 rows | an error |
 //!
 //! The matrix of `n` rows takes `n^2` numbers and its factors `n^3` products; factors of bodies take as many as there
 //! are bodies and contacts between them. Where one way does not come to the residual asked for, the other is tried,

@@ -46,7 +46,7 @@ const LAST_NEWTON_STEPS: usize = 12;
 const FIRST_SWEEPS: usize = 8;
 
 /// Steps of Newton's method after the augmented Lagrangian.
-const NEWTON_STEPS_AFTER_IT: usize = 8;
+const NEWTON_STEPS_AFTER_LAGRANGIAN: usize = 8;
 
 /// Steps in which the residual must halve.
 const PATIENCE: usize = 3;
@@ -243,7 +243,7 @@ impl Chain<'_> {
         let limits = NewtonLimits { most: self.left(), patience: PATIENCE, tolerance: self.enough() };
         method.run(self.system, &mut near, limits);
         self.take(&near, BodyMethod::Lagrangian);
-        self.finish_with_newton(near, NEWTON_STEPS_AFTER_IT);
+        self.finish_with_newton(near, NEWTON_STEPS_AFTER_LAGRANGIAN);
         self.is_enough()
     }
 

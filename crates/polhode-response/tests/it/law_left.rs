@@ -64,6 +64,9 @@ pub(crate) fn size(problem: &ProblemText) -> f64 {
 
 /// What is missed by one block, as a velocity.
 fn missed(block: &TextBlock, mobility: f64, reactions: &[f64], rates: &[f64]) -> f64 {
+    if !reactions.iter().chain(rates).all(|own| own.is_finite()) {
+        return f64::INFINITY;
+    }
     let parts = match block.law {
         Law::Hold { .. } => return rates.iter().fold(0.0, |most: f64, rate| most.max(rate.abs())),
         Law::Push => Vec::new(),

@@ -212,6 +212,17 @@ fn of_too_many_rows_no_matrix_is_formed() {
     }
 }
 
+/// Reactions that overflow are no numbers, and hold nothing.
+#[test]
+fn rows_whose_reactions_overflow_are_not_said_to_be_held() {
+    let mut problem = ContactProblem::new(1, vec![1e-310]).unwrap();
+    problem.push_held_row(&[(0, &[1.0])]).unwrap();
+    for ask in [Ask::Hold, Ask::HoldAll] {
+        let found = solve(&RowProblem::new(&problem, &[1e200]), ask, &mut Memory::default()).unwrap();
+        assert_ne!(found.report.status, SolverStatus::Solved, "{ask:?}: {found:?}");
+    }
+}
+
 /// What is no problem: numbers that are none, lists of another length, blocks of rows that do not exist, rows that
 /// contradict each other. Errors name what is wrong; a contradiction is no error, and is not solved.
 #[test]

@@ -14,6 +14,7 @@ use crate::time_stepping::drift;
 use polhode_dynamics::field::Wrench;
 use polhode_dynamics::integrator::IntegrationError;
 use polhode_dynamics::{BodyState, RigidBody};
+use polhode_response::ResponseError;
 
 /// A force counts as the cause when alone it would move the body, from rest, by more than this many times the size of
 /// the body within the longest step (dimensionless, 1 to 1e6). A force that steps of that length resolve moves the body
@@ -81,7 +82,7 @@ fn may_be_caused_by_a_force(error: &SimulationError) -> bool {
         | SimulationError::EnergyOverflow { .. }
         | SimulationError::Diverged { .. }
         | SimulationError::ContactSolve { .. }
-        | SimulationError::ContactProblem { .. }
+        | SimulationError::ContactProblem { source: ResponseError::NotFinite { .. }, .. }
         | SimulationError::ImpactSearch { .. } => true,
         SimulationError::Integration { source, .. } => {
             matches!(source, IntegrationError::StepTooSmall { .. } | IntegrationError::NotFinite { .. })

@@ -35,11 +35,16 @@ pub(crate) fn refuse_contradictions(
     let mut drivers = model.joints.drivers_of(bodies);
     let first = drivers.next();
     let are_driven_apart = first.is_some() && drivers.any(|other| Some(other) != first);
-    if !are_driven_apart && model.joints.ties_among(bodies).next().is_none() {
-        return Ok(());
-    }
+    // A contradiction ends where a joint breaks.
+    let may_be_apart = are_driven_apart && !model.joints.may_break_among(bodies);
+    let has_ties = model.joints.ties_among(bodies).next().is_some();
+    let ask = match (has_ties, may_be_apart) {
+        (true, _) => Ask::HoldAll,
+        (false, true) => Ask::Hold,
+        (false, false) => return Ok(()),
+    };
     let refused = |source| SimulationError::of_response(t, source).among(model, bodies);
-    match contradicted(model, t, states, bodies).map_err(refused)? {
+    match contradicted(model, t, (states, bodies), ask).map_err(refused)? {
         None => Ok(()),
         Some(id) => Err(told(model, t, id)),
     }
@@ -54,7 +59,8 @@ fn told(model: &Model, t_s: f64, id: ConstraintId) -> SimulationError {
             let of = model.joints.joint_numbered(joint);
             (format!("joint {joint}"), of.and_then(ModelJoint::driver))
         }
-        ConstraintId::Pivot { .. } | ConstraintId::Contact(_) => ("the pivot".to_owned(), None),
+        ConstraintId::Pivot { .. } => ("the pivot".to_owned(), None),
+        ConstraintId::Contact(_) => ("the contact".to_owned(), None),
     };
     let mut bodies: Vec<usize> = [a, b].into_iter().chain(driver).collect();
     bodies.dedup();
@@ -62,12 +68,12 @@ fn told(model: &Model, t_s: f64, id: ConstraintId) -> SimulationError {
     SimulationError::JointsContradict { t_s, what, bodies }
 }
 
-/// The first tie where rows cannot be kept; without a tie, what has the row that is kept worst.
+/// What has the row that is kept worst, where some are not kept; a tie before joints.
 fn contradicted(
     model: &Model,
     t: f64,
-    states: &[BodyState],
-    bodies: &[usize],
+    (states, bodies): (&[BodyState], &[usize]),
+    ask: Ask<'_>,
 ) -> Result<Option<ConstraintId>, ResponseError> {
     let assembly = Assembly::new(model, states, bodies, std::iter::empty())?;
     let still = assembly.uniform_accelerations(polhode_spatial::DVec3::ZERO);
@@ -84,13 +90,17 @@ fn contradicted(
         return Ok(None);
     }
     let known = Question { constants: &constants, ..Question::default() };
-    let left = assembly.answer(known, Ask::HoldAll, &mut Memory::default())?.velocities;
-    let worst = left.iter().fold(0.0_f64, |most, left| most.max(left.abs()));
-    if worst <= CONTRADICTION * largest {
-        return Ok(None);
-    }
-    let mut ids = assembly.bilaterals().iter().map(|own| own.id);
-    let tie = ids.find(|id| matches!(id, ConstraintId::Tie { .. }));
-    let kept_worst = || left.iter().position(|left| left.abs() == worst).and_then(|row| assembly.constraint(row));
-    Ok(tie.or_else(kept_worst))
+    let left = match assembly.answer(known, ask, &mut Memory::default()) {
+        // Nobody can tell of so many rows.
+        Err(ResponseError::TooManyRows { .. }) => return Ok(None),
+        answer => answer?.velocities,
+    };
+    // The comparison is true of a number that is none, too.
+    let is_broken = |left: f64| !(left.abs() <= CONTRADICTION * largest);
+    let broken = left.iter().enumerate().filter(|(_, left)| is_broken(**left));
+    let mut by_size: Vec<(f64, ConstraintId)> =
+        broken.filter_map(|(row, left)| Some((left.abs(), assembly.constraint(row)?))).collect();
+    by_size.sort_by(|(a, _), (b, _)| b.total_cmp(a));
+    let tie = by_size.iter().find(|(_, id)| matches!(id, ConstraintId::Tie { .. }));
+    Ok(tie.or(by_size.first()).map(|(_, id)| *id))
 }

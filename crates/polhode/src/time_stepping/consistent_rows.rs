@@ -6,12 +6,9 @@ use super::row::Row;
 use polhode_contact::ContactKinematics;
 use polhode_spatial::DVec3;
 
-/// Normals whose components differ by less count as equal (no unit, 1e-14 to 1e-9): the rounding of attitudes.
-const FLUSH_NORMAL: f64 = 1e-12;
-
-/// Contacts of a pair whose normals differ by less are one patch where many bodies lie on each other (no unit, 1e-3 to
-/// 3e-2): faces that lean a little on each other press at several points, whose rows would contradict each other.
-const NEARLY_FLUSH_NORMAL: f64 = 1e-2;
+/// Contacts of a pair whose normals differ by less are one patch (no unit, 1e-3 to 3e-2): faces that lean a little on
+/// each other press at several points, whose rows would contradict each other.
+const FLUSH_NORMAL: f64 = 1e-2;
 
 /// The normals of the contacts of a pair whose terms are to be those of a rigid motion, at most so far from the first
 /// one (no unit); none where there is nothing to contradict, or a contact without friction.
@@ -28,10 +25,7 @@ fn flush_normals(of_pair: &[Row], most: f64) -> Option<Vec<DVec3>> {
 /// the same become those of one patch, with one pair of tangents, and their rows along these act in one plane.
 pub(super) fn make_consistent(of_pair: &mut [Row]) {
     let is_isotropic = |row: &Row| row.friction.is_none_or(|friction| friction.is_isotropic());
-    if flush_normals(of_pair, FLUSH_NORMAL).is_some() && !of_pair.iter().all(is_isotropic) {
-        return remove_contradictions(of_pair);
-    }
-    let normals = flush_normals(of_pair, NEARLY_FLUSH_NORMAL).filter(|_| of_pair.iter().all(is_isotropic));
+    let normals = flush_normals(of_pair, FLUSH_NORMAL).filter(|_| of_pair.iter().all(is_isotropic));
     let Some(normals) = normals else {
         let Some(normals) = flush_normals(of_pair, f64::INFINITY) else { return };
         let presses = |row: &Row| row.kinematics.separation_rate + row.bound <= 0.0;
@@ -49,13 +43,6 @@ pub(super) fn make_consistent(of_pair: &mut [Row]) {
         row.friction = row.friction.map(|friction| friction.on_patch(tangents, point, approach));
     }
     with_terms(of_pair, |terms| make_rigid(n, terms));
-}
-
-/// Makes the terms of the contacts with friction of a pair those of a rigid motion, where their normals are the same.
-pub(super) fn remove_contradictions(of_pair: &mut [Row]) {
-    if let Some(normals) = flush_normals(of_pair, FLUSH_NORMAL) {
-        with_terms(of_pair, |terms| make_rigid(normals[0], terms));
-    }
 }
 
 /// Changes the terms of the contacts of a pair, as far as that gains no energy.
