@@ -88,8 +88,9 @@ pub enum ResponseError {
     },
     /// Too many rows for their matrix.
     #[error(
-        "{rows} rows of contacts and joints are coupled, and their matrix is formed of at most {limit}: let fewer bodies \
-         touch or be joined, or take time steps (tier = \"stepped\") without soft joints and gears, which need no matrix"
+        "{rows} rows of contacts and joints are coupled, and their matrix is formed of at most {limit}: let fewer \
+         bodies touch or be joined, or take time steps (tier = \"stepped\") without soft joints and gears, which need \
+         no matrix"
     )]
     TooManyRows {
         /// Number of rows.
