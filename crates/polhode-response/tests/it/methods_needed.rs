@@ -1,6 +1,6 @@
 //! Methods of each chain, and problems of runs (fixtures/problems) that no other method solves, or that take others
 //! more than twice as many steps. Not among them are starts, closed forms and refinement, which save work or digits,
-//! and steps of least norm, which choose among reactions. `cargo xtask census` counts the same in runs (docs/census.md).
+//! and steps of least norm, which choose among reactions. `cargo xtask census` counts the same (docs/census.md).
 
 use crate::problem_set::{Kept, all};
 use polhode_response::friction::{FrictionMethod, FrictionSettings, solve_friction};
