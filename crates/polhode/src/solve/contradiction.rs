@@ -95,8 +95,7 @@ fn contradicted(
         Err(ResponseError::TooManyRows { .. }) => return Ok(None),
         answer => answer?.velocities,
     };
-    // The comparison is true of a number that is none, too.
-    let is_broken = |left: f64| !(left.abs() <= CONTRADICTION * largest);
+    let is_broken = |left: f64| left.is_nan() || left.abs() > CONTRADICTION * largest;
     let broken = left.iter().enumerate().filter(|(_, left)| is_broken(**left));
     let mut by_size: Vec<(f64, ConstraintId)> =
         broken.filter_map(|(row, left)| Some((left.abs(), assembly.constraint(row)?))).collect();

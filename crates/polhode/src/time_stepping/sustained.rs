@@ -280,7 +280,9 @@ fn add_closing(model: &Model, states: &[BodyState], near: &[NearContact], rows: 
             closing = closing.into_iter().min_by(|a, b| speed(a).total_cmp(&speed(b))).into_iter().collect();
         }
         added |= !closing.is_empty();
-        closing.into_iter().for_each(|(index, _)| taken[index] = true);
+        for (index, _) in closing {
+            taken[index] = true;
+        }
     }
     added
 }
