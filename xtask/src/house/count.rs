@@ -1,8 +1,11 @@
 //! One count, and what all are made with: folders, and words of a line.
 
 use crate::house::rust_source::RustSource;
+use crate::house::violation::Violation;
 use serde::Serialize;
 
+/// Where the largest number that each count may be stands, with the reasons of those that have grown.
+pub(super) const LIMITS: &str = "xtask/src/house/counts/limits.toml";
 /// Where the sources of the facade stand.
 pub(super) const FACADE: &str = "crates/polhode/src";
 /// Where those of the solvers stand.
@@ -20,6 +23,20 @@ pub(super) struct Count {
     pub(super) now: u64,
     /// The most that is aimed at; absent where none is set.
     pub(super) goal: Option<u64>,
+}
+
+impl Count {
+    /// What a row of its goal is called.
+    pub(super) fn goal_in_words(&self) -> String {
+        format!("goal: {}", self.key)
+    }
+
+    /// That it is beyond its goal; none without a goal.
+    pub(super) fn beyond_goal(&self) -> Option<Vec<Violation>> {
+        let goal = self.goal?;
+        let what = || format!("{} are {}, where at most {goal} are aimed at: {}", self.key, self.now, self.check);
+        Some(if self.now > goal { vec![Violation::in_file(LIMITS, what())] } else { Vec::new() })
+    }
 }
 
 /// Whether the file stands in this folder, at any depth.

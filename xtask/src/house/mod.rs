@@ -100,7 +100,9 @@ pub(crate) fn check(root: &Path) -> Vec<Row> {
     rows.push(row("kinds of joint named outside of their folder", &kinds_of_joint::check(&sources)));
     rows.push(row("kinds of tier named outside of their folders", &kinds_of_tier::check(&sources)));
     rows.push(row("no two tolerances of one name with two values", &tolerances::check(&sources)));
-    rows.push(row("no count of the house has grown", &counts::check(&files, &sources)));
+    let counts = counts::counts(&sources);
+    rows.push(row("no count of the house has grown", &counts::check(&files, &sources, &counts)));
+    rows.extend(counts.iter().filter_map(|count| Some(row(&count.goal_in_words(), &count.beyond_goal()?))));
     rows.push(row("every dependency is named by code", &unused_dependencies::check(&files, &sources)));
     rows.push(row("crates follow the lints of the workspace", &docs::lints(&files)));
     rows.push(row("paths named in the documents exist", &docs::paths_exist(&files, root)));
