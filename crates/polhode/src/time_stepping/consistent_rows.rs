@@ -21,20 +21,26 @@ fn flush_normals(of_pair: &[Row], most: f64) -> Option<Vec<DVec3>> {
     is_flush.then_some(normals)
 }
 
-/// Makes the terms of the contacts with friction of a pair, one of many, consistent: contacts whose normals are nearly
-/// the same become those of one patch, with one pair of tangents, and their rows along these act in one plane.
+/// Makes the terms of the contacts with friction of a pair consistent: contacts whose normals are nearly the same
+/// become those of one patch. Rows along and across a grain keep their directions.
 pub(super) fn make_consistent(of_pair: &mut [Row]) {
-    let is_isotropic = |row: &Row| row.friction.is_none_or(|friction| friction.is_isotropic());
-    let normals = flush_normals(of_pair, FLUSH_NORMAL).filter(|_| of_pair.iter().all(is_isotropic));
-    let Some(normals) = normals else {
+    let Some(normals) = flush_normals(of_pair, FLUSH_NORMAL) else {
         let Some(normals) = flush_normals(of_pair, f64::INFINITY) else { return };
         let presses = |row: &Row| row.kinematics.separation_rate + row.bound <= 0.0;
         let contacts: Vec<(DVec3, bool)> = normals.into_iter().zip(of_pair.iter().map(presses)).collect();
         return with_terms(of_pair, |terms| make_tangential_terms_rigid(&contacts, terms));
     };
     let n = normals.iter().sum::<DVec3>().normalize();
+    if of_pair.iter().all(|row| row.friction.is_none_or(|friction| friction.is_isotropic())) {
+        lay_on_patch(of_pair, n);
+    }
+    with_terms(of_pair, |terms| make_rigid(n, terms));
+}
+
+/// Gives all contacts one pair of tangents of the plane of this normal, and rows along these that act in one plane.
+fn lay_on_patch(of_pair: &mut [Row], n: DVec3) {
     let points = of_pair.iter().map(|row| row.kinematics.geometry.point);
-    let centre = points.sum::<DVec3>() / normals.len() as f64;
+    let centre = points.sum::<DVec3>() / of_pair.len() as f64;
     let Some(tangents) = of_pair.iter().find_map(|row| Some(row.friction?.tangents_of_patch(n))) else { return };
     for row in of_pair.iter_mut() {
         let ContactKinematics { geometry, separation_rate, .. } = row.kinematics;
@@ -42,7 +48,6 @@ pub(super) fn make_consistent(of_pair: &mut [Row]) {
         let approach = geometry.normal * separation_rate;
         row.friction = row.friction.map(|friction| friction.on_patch(tangents, point, approach));
     }
-    with_terms(of_pair, |terms| make_rigid(n, terms));
 }
 
 /// Changes the terms of the contacts of a pair, as far as that gains no energy.
