@@ -52,7 +52,7 @@ pub(crate) const ZERO_CUT: f64 = 1e-9;
 /// The residual of a step's or an impact's problem with which no other way is tried (no unit, 1e-9 to 1e-7): velocities
 /// are then wrong by at most about this fraction of the speed that gravity gives in a step. A larger one is not taken
 /// for rounding in rows: reactions so large that their rounding is more than this diverge.
-pub(crate) const EXACT_ENOUGH: f64 = 1e-8;
+pub const EXACT_ENOUGH: f64 = 1e-8;
 
 /// A residual above this is never taken for the rounding of velocities (no unit, 1e-6 to 1e-5): reactions so large that
 /// their rounding is more than this diverge, as where bodies are squeezed.

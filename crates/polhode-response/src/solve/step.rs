@@ -26,7 +26,7 @@ use crate::method_set::MethodSet;
 use crate::problem::ContactProblem;
 use crate::report::SolverStatus;
 use crate::sparse::{BodySettings, BodySolver, HeldForest};
-use crate::tolerances::EXACT_ENOUGH;
+pub use crate::tolerances::EXACT_ENOUGH;
 use std::collections::BTreeMap;
 
 /// Most sweeps of block Gauss-Seidel after all other methods of the solver have failed. The error that remains is part
