@@ -27,7 +27,7 @@ pub struct SolverSettings {
     pub noise_floor: f64,
     /// Limit of pivots for each row before twice the precision is tried.
     pub pivots_per_row: u32,
-    /// Methods that are not tried, to see what the others find.
+    /// Methods whose answers are not taken, to see what the others find; closed forms and starts always count.
     pub left_out: MethodSet<Method>,
 }
 

@@ -55,5 +55,5 @@ pub(crate) const ZERO_CUT: f64 = 1e-9;
 pub const EXACT_ENOUGH: f64 = 1e-8;
 
 /// A residual above this is never taken for the rounding of velocities (no unit, 1e-6 to 1e-5): reactions so large that
-/// their rounding is more than this diverge, as where bodies are squeezed.
+/// their rounding is more than this diverge, as where bodies are squeezed or rows contradict each other by a rounding.
 pub(crate) const LARGEST_RESIDUAL_ROUNDING: f64 = 1e-6;

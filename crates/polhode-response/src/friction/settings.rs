@@ -36,7 +36,7 @@ pub struct FrictionSettings {
     pub fallback: FallbackPolicy,
     /// Which reactions are taken where they are not unique.
     pub redundancy: Redundancy,
-    /// Methods that are not tried, to see what the others find.
+    /// Methods whose answers are not taken, to see what the others find; closed forms and starts always count.
     pub left_out: MethodSet<FrictionMethod>,
 }
 

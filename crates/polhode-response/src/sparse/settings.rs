@@ -19,7 +19,7 @@ pub struct BodySettings {
     pub warm_steps: usize,
     /// Whether a cold start takes its loads from sweeps over all contacts.
     pub sweeps_first: bool,
-    /// Methods that are not tried, to see what the others find.
+    /// Methods whose answers are not taken, to see what the others find; closed forms and starts always count.
     pub left_out: MethodSet<BodyMethod>,
 }
 

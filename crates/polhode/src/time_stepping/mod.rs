@@ -38,7 +38,7 @@
 //! | `last_forces` | the forces of the last step, from which the next begins |
 //! | `projection`, `closed_joints` | stage 5: what is left of penetration and of gaps of joints |
 //! | `shared_work`, `newton_law` | work of the impulses; how far the loads that are told are from Newton's law |
-//! | `halving` | the error by step halving |
+//! | `halving` | unsolved steps made again as halves; the error by step halving |
 
 mod closed_joints;
 mod closing;

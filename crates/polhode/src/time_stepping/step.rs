@@ -13,14 +13,13 @@ use super::newton_law::newton_residual;
 use crate::accounting::books::Received;
 use crate::accounting::time_step_report::{Stop, TimeStepReport};
 use crate::identity::contact_id::{ContactId, Feature};
-use crate::model::states_of::{set_states, states_of};
+use crate::model::states_of::states_of;
 use crate::model::{Model, prescribed, tolerances};
 use crate::report::momentum_ledger::{Momentum, MomentumSum};
 use crate::scene::ImpactLaw;
 use crate::snapshot::{SnapshotError, content};
 use crate::solve::overlap::Overlaps;
 use polhode_dynamics::BodyState;
-use polhode_response::solve::step::EXACT_ENOUGH;
 use polhode_response::solve::way;
 use polhode_response::{Memory, ResponseError};
 use polhode_spatial::DVec3;
@@ -89,7 +88,7 @@ pub(crate) struct TimeStepper {
     pub(super) law: ImpactLaw,
     /// The reference point of moments in the books, m.
     pub(super) about: DVec3,
-    /// Most impacts at which [`TimeStepper::advance`] splits a step.
+    /// Most impacts at which [`TimeStepper::advance_by`] splits a step.
     splits: u32,
     heaps: Heaps,
     /// Largest height of a bounce that need not be resolved, relative to the size of the smaller body ([`Span`]).
@@ -202,46 +201,9 @@ impl TimeStepper {
     /// bodies, up to the number of splits: impacts are then resolved where and when they happen. Without splits it is
     /// one step.
     ///
-    /// A step whose problems were not all solved is made again as two of half its length: their problems are others,
-    /// and the better of both is taken.
-    ///
     /// # Errors
     /// When a number is not finite; the states are those at the start of the substep that failed.
-    pub(crate) fn advance(
-        &mut self,
-        model: &Model,
-        states: &mut [BodyState],
-        bodies: &[usize],
-        pairs: &[(usize, usize)],
-        (t, h): (f64, f64),
-    ) -> Result<TimeStepReport, ResponseError> {
-        let start = states_of(states, bodies);
-        let whole = self.advance_by(model, states, bodies, pairs, (t, h))?;
-        if whole.residual <= EXACT_ENOUGH {
-            return Ok(whole);
-        }
-        let end = states_of(states, bodies);
-        set_states(states, bodies, &start);
-        prescribed::prescribe_members(model, pairs, t, states);
-        let mut halves = self.advance_by(model, states, bodies, pairs, (t, 0.5 * h));
-        if let Ok(first) = &mut halves {
-            match self.advance_by(model, states, bodies, pairs, (t + 0.5 * h, 0.5 * h)) {
-                Ok(second) => first.append(second),
-                Err(error) => halves = Err(error),
-            }
-        }
-        match halves {
-            Ok(halves) if halves.residual < whole.residual => Ok(halves),
-            _ => {
-                set_states(states, bodies, &end);
-                prescribed::prescribe_members(model, pairs, t + h, states);
-                Ok(whole)
-            }
-        }
-    }
-
-    /// The same without a look at what was left of its problems.
-    fn advance_by(
+    pub(super) fn advance_by(
         &mut self,
         model: &Model,
         states: &mut [BodyState],

@@ -1,5 +1,5 @@
-//! A problem that has no answer ends a run by a typed error with the names of the bodies, in every tier: forces of a
-//! program that become no number, joints that contradict each other, bodies with hardly any inertia.
+//! A problem that has no answer ends a run by a typed error with the names of the bodies: forces of a program that
+//! become no number (in every tier), joints that contradict each other, bodies with hardly any inertia.
 
 use crate::checks::particle;
 use crate::support::{brick, floor};

@@ -94,3 +94,4 @@ mod tier_choice;
 mod touching_without_pressing;
 mod tracks;
 mod units;
+mod unsolved_steps;
