@@ -6,9 +6,12 @@ use super::row::Row;
 use polhode_contact::ContactKinematics;
 use polhode_spatial::DVec3;
 
-/// Contacts of a pair whose normals differ by less are one patch (no unit, 1e-3 to 3e-2): faces that lean a little on
-/// each other press at several points, whose rows would contradict each other.
-const FLUSH_NORMAL: f64 = 1e-2;
+/// Normals whose components differ by less count as equal (no unit, 1e-14 to 1e-9): the rounding of attitudes.
+const FLUSH_NORMAL: f64 = 1e-12;
+
+/// Contacts of a pair whose normals differ by less are one patch where many bodies lie on each other (no unit, 1e-3 to
+/// 3e-2): faces that lean a little on each other press at several points, whose rows would contradict each other.
+const NEARLY_FLUSH_NORMAL: f64 = 1e-2;
 
 /// The normals of the contacts of a pair whose terms are to be those of a rigid motion, at most so far from the first
 /// one (no unit); none where there is nothing to contradict, or a contact without friction.
@@ -21,32 +24,37 @@ fn flush_normals(of_pair: &[Row], most: f64) -> Option<Vec<DVec3>> {
     is_flush.then_some(normals)
 }
 
-/// Makes the terms of the contacts with friction of a pair consistent: contacts whose normals are nearly the same
-/// become those of one patch. Rows along and across a grain keep their directions.
+/// Makes the terms of the contacts with friction of a pair, one of many, consistent: contacts whose normals are nearly
+/// the same become those of one patch, with one pair of tangents, and their rows along these act in one plane.
 pub(super) fn make_consistent(of_pair: &mut [Row]) {
-    let Some(normals) = flush_normals(of_pair, FLUSH_NORMAL) else {
+    let is_isotropic = |row: &Row| row.friction.is_none_or(|friction| friction.is_isotropic());
+    if flush_normals(of_pair, FLUSH_NORMAL).is_some() && !of_pair.iter().all(is_isotropic) {
+        return remove_contradictions(of_pair);
+    }
+    let normals = flush_normals(of_pair, NEARLY_FLUSH_NORMAL).filter(|_| of_pair.iter().all(is_isotropic));
+    let Some(normals) = normals else {
         let Some(normals) = flush_normals(of_pair, f64::INFINITY) else { return };
         let presses = |row: &Row| row.kinematics.separation_rate + row.bound <= 0.0;
         let contacts: Vec<(DVec3, bool)> = normals.into_iter().zip(of_pair.iter().map(presses)).collect();
         return with_terms(of_pair, |terms| make_tangential_terms_rigid(&contacts, terms));
     };
     let n = normals.iter().sum::<DVec3>().normalize();
-    if of_pair.iter().all(|row| row.friction.is_none_or(|friction| friction.is_isotropic())) {
-        lay_on_patch(of_pair, n);
-    }
-    with_terms(of_pair, |terms| make_rigid(n, terms));
-}
-
-/// Gives all contacts one pair of tangents of the plane of this normal, and rows along these that act in one plane.
-fn lay_on_patch(of_pair: &mut [Row], n: DVec3) {
     let points = of_pair.iter().map(|row| row.kinematics.geometry.point);
-    let centre = points.sum::<DVec3>() / of_pair.len() as f64;
+    let centre = points.sum::<DVec3>() / normals.len() as f64;
     let Some(tangents) = of_pair.iter().find_map(|row| Some(row.friction?.tangents_of_patch(n))) else { return };
     for row in of_pair.iter_mut() {
         let ContactKinematics { geometry, separation_rate, .. } = row.kinematics;
         let point = geometry.point - n * n.dot(geometry.point - centre);
         let approach = geometry.normal * separation_rate;
         row.friction = row.friction.map(|friction| friction.on_patch(tangents, point, approach));
+    }
+    with_terms(of_pair, |terms| make_rigid(n, terms));
+}
+
+/// Makes the terms of the contacts with friction of a pair those of a rigid motion, where their normals are the same.
+pub(super) fn remove_contradictions(of_pair: &mut [Row]) {
+    if let Some(normals) = flush_normals(of_pair, FLUSH_NORMAL) {
+        with_terms(of_pair, |terms| make_rigid(normals[0], terms));
     }
 }
 

@@ -1,7 +1,7 @@
 //! The rows of a time step's problems: in its middle and at its start (`sustained.rs`, `closing.rs` have their
 //! equations).
 
-use super::consistent_rows::make_consistent;
+use super::consistent_rows::{make_consistent, remove_contradictions};
 use super::contacts::{NearContact, kinematics_at_point};
 use super::middle::Problem;
 use super::row::Row;
@@ -13,6 +13,7 @@ use crate::rows::assembly::Assembly;
 use polhode_contact::ContactKinematics;
 use polhode_dynamics::BodyState;
 use polhode_response::ResponseError;
+use polhode_response::solve::way;
 
 /// Error of a separation as a fraction of the rounding of two poses (eight units in the last place): the remainder of
 /// the projection. In a short step it corresponds to a considerable velocity.
@@ -69,8 +70,13 @@ pub(super) fn rows(
     };
     let mut rows: Vec<Row> = here.into_iter().zip(accelerations).zip(friction).map(row).collect();
     let pair = |row: &Row| (near[row.contact].id.a, near[row.contact].id.b);
+    let is_of_many = way::are_many(rows.len());
     for of_pair in rows.chunk_by_mut(|x, y| pair(x) == pair(y)) {
-        make_consistent(of_pair);
+        if is_of_many {
+            make_consistent(of_pair);
+        } else {
+            remove_contradictions(of_pair);
+        }
     }
     Ok(rows)
 }
