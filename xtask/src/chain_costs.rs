@@ -14,7 +14,7 @@
 
 use crate::tier_costs::{Measured, fit};
 use clap::Args;
-use polhode::Simulation;
+use polhode::{ErrorEstimation, Simulation};
 use std::error::Error;
 use std::fmt::Write as _;
 use std::process::ExitCode;
@@ -86,7 +86,7 @@ fn seconds_of_step(text: &str, options: &Options) -> Result<(f64, f64), Box<dyn 
     let scene = polhode_scene::load_text("chain", text, &[])?.scene;
     let (mut least, mut first) = (f64::INFINITY, 0.0);
     for run in 0..options.runs.max(1) {
-        let mut simulation = Simulation::new(&scene)?;
+        let mut simulation = Simulation::new(&scene)?.estimating(ErrorEstimation::Off);
         let start = Instant::now();
         let report = simulation.run()?;
         let seconds = start.elapsed().as_secs_f64();

@@ -9,7 +9,7 @@
 //! Failure: times are those of this machine while nothing else runs on it.
 
 use clap::Args;
-use polhode::{BodySample, Flow, Observer, Simulation};
+use polhode::{BodySample, ErrorEstimation, Flow, Observer, Simulation};
 use std::error::Error;
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
@@ -98,7 +98,7 @@ pub(crate) fn fit(measured: &[Measured]) -> (f64, f64) {
 /// Time of a simulated second, s.
 fn seconds_of(text: &str, tier: &str, limit: f64) -> Result<f64, Box<dyn Error>> {
     let scene = polhode_scene::load_text("heap", &format!("method.tier = \"{tier}\"\n{text}"), &[])?.scene;
-    let mut simulation = Simulation::new(&scene)?;
+    let mut simulation = Simulation::new(&scene)?.estimating(ErrorEstimation::Off);
     let start = Instant::now();
     let mut limited = Limited { end: start + Duration::from_secs_f64(limit), reached_s: 0.0 };
     simulation.run_observed(&mut limited)?;

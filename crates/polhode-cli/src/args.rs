@@ -2,6 +2,7 @@
 
 use crate::help;
 use clap::{Args, Parser, Subcommand, ValueEnum};
+use polhode::ErrorEstimation;
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
 
@@ -148,9 +149,34 @@ pub(crate) struct RunOutputArgs {
     /// Prints the report of the whole run as JSON
     #[arg(long)]
     pub(crate) json: bool,
+    /// How the error of the run is estimated: by runs beside it, which take at most three tenths of its time (quick) or
+    /// three times as much (full) [default: quick; `resume`: as before]
+    #[arg(long, value_name = "EFFORT", value_enum)]
+    pub(crate) error: Option<ErrorArg>,
     /// Threads that compute the islands of a step (tiers stepped and fast); the bits are the same for any number
     #[arg(long, value_name = "N", default_value_t = NonZeroUsize::MIN)]
     pub(crate) threads: NonZeroUsize,
+}
+
+/// How the error of a run is estimated.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum ErrorArg {
+    /// Not at all
+    Off,
+    /// By runs beside the run: whole ones where they are cheap, pieces elsewhere
+    Quick,
+    /// By whole runs beside the run
+    Full,
+}
+
+impl From<ErrorArg> for ErrorEstimation {
+    fn from(own: ErrorArg) -> Self {
+        match own {
+            ErrorArg::Off => Self::Off,
+            ErrorArg::Quick => Self::Quick,
+            ErrorArg::Full => Self::Full,
+        }
+    }
 }
 
 /// What is plotted of a run.

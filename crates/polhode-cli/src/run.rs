@@ -69,6 +69,9 @@ fn prepared(args: &RunArgs, interrupt: &Interrupt) -> Result<Run, Failure> {
     };
     let mut simulation = scene::prepare(&loaded, &args.scene.changes)?;
     simulation.set_executor(threads(&args.output));
+    if let Some(estimation) = args.output.error {
+        simulation.set_error_estimation(estimation.into());
+    }
     Ok(Run { loaded, simulation, files, checkpoints, progress, started, report: Report::of(&args.output) })
 }
 
@@ -79,6 +82,9 @@ fn restored(args: &ResumeArgs, interrupt: &Interrupt) -> Result<Run, Failure> {
     checkpoint.overrides.extend(args.duration.as_deref().map(scene::duration));
     let (loaded, mut simulation) = checkpoint.load(&args.from)?;
     simulation.set_executor(threads(&args.output));
+    if let Some(estimation) = args.output.error {
+        simulation.set_error_estimation(estimation.into());
+    }
     let checkpoints = Checkpoints::new(&args.checkpoints, &args.from, &checkpoint.scene, checkpoint.overrides.clone())?;
     let mut inputs = loaded.mesh_files();
     inputs.extend([args.from.clone(), checkpoint.scene.clone()]);

@@ -4,7 +4,7 @@
 //! step (median, 99 % of them, largest), the factorisations of a step (the same), the largest residual, and the time of
 //! the first step, which starts from nothing.
 
-use polhode::Simulation;
+use polhode::{ErrorEstimation, Simulation};
 use polhode_scene::load;
 use std::error::Error;
 use std::path::Path;
@@ -24,7 +24,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 fn measure(path: &Path) -> Result<(), Box<dyn Error>> {
     let scene = load(path)?;
     let begun = Instant::now();
-    let mut simulation = Simulation::new(&scene)?;
+    let mut simulation = Simulation::new(&scene)?.estimating(ErrorEstimation::Off);
     let prepared = begun.elapsed().as_secs_f64();
     let (mut times, mut counts) = (Vec::new(), Vec::new());
     let mut last = 0;

@@ -6,8 +6,8 @@ use glam::DVec3;
 use polhode::scene::{OverlapLimit, Promise};
 use polhode::stability::{Beginning, MovingBody, PushMargin, Stability};
 use polhode::{
-    Acceleration, BodyId, BodySample, BrokenPromise, Momentum, MomentumLedger, Occurrence, PairAt, Plan, RunReport,
-    Scene, SpringImpact, SpringReport,
+    Acceleration, BodyId, BodySample, BrokenPromise, Momentum, MomentumLedger, Occurrence, PairAt, Plan,
+    ReferenceReport, RunReport, Scene, SpringImpact, SpringReport,
 };
 use serde_json::{Value, json};
 
@@ -46,6 +46,7 @@ pub fn report_json(report: &RunReport, wall_s: f64) -> Value {
         "tolerated": occurrences_json(&report.tolerated),
         "bodies": report.bodies.iter().map(|body| body_json(&body.name, &body.state)).collect::<Vec<_>>(),
     });
+    value["error"] = error_json(report);
     value["choices"] = occurrences_json(&report.choices);
     if let (Value::Object(members), Value::Object(measured)) = (&mut value, certificate_json(report)) {
         members.extend(measured);
@@ -82,7 +83,7 @@ pub fn certificate_json(report: &RunReport) -> Value {
         "max_residual_of_limit": certificate.max_residual_of_limit,
         "max_acceleration_error_bound": certificate.max_acceleration_error_bound,
         "max_step_error": certificate.max_step_error,
-        "estimated_error": certificate.estimated_error,
+        "estimated_error": report.error.relative(),
         "max_numerical_relative": certificate.max_numerical_relative,
         "factorisations": certificate.factorisations,
         "fallbacks": certificate.fallbacks,
@@ -150,31 +151,55 @@ pub fn scene_report_json(loaded: &LoadedScene, report: &RunReport, wall_s: f64) 
     value
 }
 
+/// The estimated error of a run: how it was estimated, the largest error, those at the end, the horizon.
+fn error_json(report: &RunReport) -> Value {
+    let error = &report.error;
+    let name = |body: BodyId| report.bodies.get(body.index()).map(|body| body.name.as_str());
+    let largest = error.largest.map(|largest| {
+        json!({
+            "relative": largest.relative,
+            "position_m": largest.error.position_m,
+            "rotation_rad": largest.error.rotation_rad,
+            "body": name(largest.body),
+            "t_s": largest.t_s,
+        })
+    });
+    let reference = |reference: &ReferenceReport| {
+        json!({
+            "kind": reference.kind.name(),
+            "method": reference.method,
+            "covered_s": reference.covered_s,
+            "largest_distance": reference.largest_distance,
+            "ended": reference.ended,
+        })
+    };
+    let at_end = report.bodies.iter().zip(&error.bodies);
+    json!({
+        "estimation": error.estimation.name(),
+        "largest": largest,
+        "horizon_s": error.horizon_s,
+        "references": error.references.iter().map(reference).collect::<Vec<_>>(),
+        "at_end": at_end.map(|(body, error)| json!({
+            "name": body.name, "position_m": error.position_m, "rotation_rad": error.rotation_rad,
+        })).collect::<Vec<_>>(),
+    })
+}
+
 /// Two bodies at a time, s; null when there are none.
 fn pair_json(report: &RunReport, at: Option<PairAt>) -> Value {
     let name = |body: BodyId| report.bodies.get(body.index()).map(|body| body.name.as_str());
     at.map_or(Value::Null, |at| json!({ "t_s": at.t_s, "body_a": name(at.body_a), "body_b": name(at.body_b) }))
 }
 
-/// The stretches of crowded events together, and the estimated error that they have caused; null without one.
+/// The stretches of crowded events together; null without one.
 fn crowded_json(report: &RunReport) -> Value {
     if report.crowded.is_empty() {
         return Value::Null;
     }
-    let name = |body: BodyId| report.bodies.get(body.index()).map(|body| body.name.as_str());
-    let error = report.crowding_error.map(|error| {
-        json!({
-            "position_m": error.position_m,
-            "body": error.body.and_then(name),
-            "velocity_m_s": error.velocity_m_s,
-            "angular_velocity_rad_s": error.angular_velocity_rad_s,
-        })
-    });
     json!({
         "stretches": report.crowded.len(),
         "length_s": report.crowded_s(),
         "max_residual": report.crowded_residual(),
-        "error": error,
     })
 }
 

@@ -2,7 +2,7 @@
 
 use crate::error::StudyError;
 use crate::host::Host;
-use polhode::{BodySample, Effects, Flow, Observer, Outcome, Recorder, RunReport, Scene, Simulation};
+use polhode::{BodySample, Effects, ErrorEstimation, Flow, Observer, Outcome, Recorder, RunReport, Scene, Simulation};
 use polhode_scene::{LoadedScene, Override, SceneFileError};
 use std::fmt;
 use std::time::{Duration, Instant};
@@ -95,7 +95,9 @@ impl Source<'_> {
     /// Runs a scene; the time does not count what is done before the first step: reading the scene, the plan, the
     /// search for what touches at the start.
     fn timed(&self, scene: &Scene, observer: &mut dyn Observer) -> Result<(RunReport, Duration), String> {
-        let mut simulation = Simulation::with_effects(scene, self.effects).map_err(|error| error.to_string())?;
+        let mut simulation = Simulation::with_effects(scene, self.effects)
+            .map_err(|error| error.to_string())?
+            .estimating(ErrorEstimation::Off);
         let started = Instant::now();
         let report = simulation.run_observed(observer).map_err(|error| error.to_string())?;
         Ok((report, started.elapsed()))

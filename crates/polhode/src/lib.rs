@@ -137,6 +137,7 @@
 //! | [`mod@tier`] | the interface of a tier, what each is ([`tier::TierFacts`]), and what tiers share |
 //! | [`mod@plan`] | [`Plan`]: the decision about each [`Effect`], with its reason |
 //! | `accurate`, `stepped`, `fast`, `micro_collisions`, `penalty`, `thesis` | the tiers |
+//! | `error_estimate` | what runs beside a run say of its error |
 //! | `run` | [`Simulation`]: steps, runs, queries, actions, snapshots |
 //!
 //! This crate is all that a program needs to name: the crates below it are re-exported as [`contact`], [`dynamics`],
@@ -148,6 +149,7 @@ mod action_error;
 mod collision;
 mod constraint;
 pub mod error;
+mod error_estimate;
 mod fast;
 mod identity;
 mod joints;
@@ -170,6 +172,7 @@ mod time_stepping;
 
 pub use action_error::ActionError;
 pub use error::SimulationError;
+pub use error_estimate::effort::ErrorEstimation;
 pub use identity::body_id::BodyId;
 pub use identity::joint_id::JointId;
 pub use model::body_queries::BodyQueries;
@@ -183,9 +186,9 @@ pub use report::joint_sample::{CoordinateSample, JointSample};
 pub use report::ledger::Ledger;
 pub use report::momentum_ledger::{Momentum, MomentumLedger, MomentumSum};
 pub use report::observer::{Flow, Observer, Recorder, Unobserved};
+pub use report::run_error::{BodyError, LargestError, ReferenceKind, ReferenceReport, RunError};
 pub use report::run_report::{
-    BrokenPromise, Certificate, CrowdedStretch, CrowdingError, Occurrence, Outcome, PairAt, PlanChange, ReportedBody,
-    RunReport,
+    BrokenPromise, Certificate, CrowdedStretch, Occurrence, Outcome, PairAt, PlanChange, ReportedBody, RunReport,
 };
 pub use report::springs::{SpringImpact, SpringReport};
 

@@ -2,7 +2,7 @@
 
 use super::options::Options;
 use super::subjects::{Source, Subject};
-use polhode::{BodySample, Event, Flow, Observer, Simulation};
+use polhode::{BodySample, ErrorEstimation, Event, Flow, Observer, Simulation};
 use polhode_response::census;
 use std::collections::BTreeMap;
 use std::error::Error;
@@ -130,7 +130,7 @@ fn simulate(
     mut watch: Watch,
 ) -> Result<Ending, Box<dyn Error>> {
     let loaded = polhode_scene::load_text(&origin.display().to_string(), text, &subject.overrides(tier))?;
-    let mut simulation = Simulation::new(&loaded.scene)?;
+    let mut simulation = Simulation::new(&loaded.scene)?.estimating(ErrorEstimation::Off);
     let is_small = loaded.scene.bodies().len() <= MOST_STANDING;
     for piece in 1..=PIECES {
         ask(&mut simulation, is_small && piece == 1);

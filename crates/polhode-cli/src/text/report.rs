@@ -4,7 +4,8 @@ use super::table::{Table, number, vector};
 use crate::heading::Heading;
 use polhode::scene::{OverlapLimit, Promise};
 use polhode::{
-    Acceleration, Body, BodyId, Certificate, Ledger, MomentumLedger, PairAt, Plan, RunReport, Scene, SpringReport,
+    Acceleration, Body, BodyId, Certificate, ErrorEstimation, Ledger, MomentumLedger, PairAt, Plan, ReferenceReport,
+    RunReport, Scene, SpringReport,
 };
 use polhode_scene::{LoadedScene, names};
 
@@ -105,9 +106,11 @@ fn report(report: &RunReport, stands: Option<&str>, wall_s: f64) -> String {
         run.row(["stands", stands]);
     }
     if !report.crowded.is_empty() {
-        let [stretches, error] = crowded(report);
-        run.row(["crowded stretches", &stretches]);
-        run.row(["their error", &error]);
+        run.row(["crowded stretches", &crowded(report)]);
+    }
+    run.row(["estimated error", &estimated(report)]);
+    for reference in &report.error.references {
+        run.row(["compared with", &compared(reference)]);
     }
 
     if let Some(springs) = &report.springs {
@@ -137,24 +140,45 @@ fn report(report: &RunReport, stands: Option<&str>, wall_s: f64) -> String {
     )
 }
 
-/// The stretches of crowded events of a run, and the error that they have caused.
-fn crowded(report: &RunReport) -> [String; 2] {
+/// The stretches of crowded events of a run.
+fn crowded(report: &RunReport) -> String {
     let (length, residual) = (number(report.crowded_s()), number(report.crowded_residual()));
-    let stretches = format!("{}, {length} s in all, largest residual {residual}", report.crowded.len());
-    let error = report.crowding_error.map_or_else(
-        || "not known".to_owned(),
-        |error| {
-            let name = error.body.and_then(|body| report.bodies.get(body.index())).map(|body| body.name.as_str());
-            format!(
-                "{} m{}, {} m/s, {} rad/s at the end (estimated)",
-                number(error.position_m),
-                name.map(|name| format!(" ({name})")).unwrap_or_default(),
-                number(error.velocity_m_s),
-                number(error.angular_velocity_rad_s)
-            )
-        },
+    format!("{}, {length} s in all, largest residual {residual}", report.crowded.len())
+}
+
+/// The estimated error of a run: the largest, where it was, and until when it is known.
+fn estimated(report: &RunReport) -> String {
+    let error = &report.error;
+    let Some(largest) = error.largest else {
+        return match error.estimation {
+            ErrorEstimation::Off => "not estimated (--error off)".to_owned(),
+            _ => "not known: the run was too short to compare, or nothing that it could be compared with".to_owned(),
+        };
+    };
+    let name = report.bodies.get(largest.body.index()).map_or("", |body| body.name.as_str());
+    let told = format!(
+        "{} of a body's size ({name}: {} m, {} rad, at t = {} s)",
+        number(largest.relative),
+        number(largest.error.position_m),
+        number(largest.error.rotation_rad),
+        largest.t_s
     );
-    [stretches, error]
+    match error.horizon_s {
+        Some(horizon) => format!("{told}; what lies after t = {} s is one of many outcomes", number(horizon)),
+        None => told,
+    }
+}
+
+/// With what a run was compared, for how long, and how far it was from it.
+fn compared(reference: &ReferenceReport) -> String {
+    let ended = reference.ended.as_ref().map_or_else(String::new, |why| format!("; {why}"));
+    format!(
+        "{} ({}) for {} s: at most {} of a body's size apart{ended}",
+        reference.kind.name(),
+        reference.method,
+        number(reference.covered_s),
+        number(reference.largest_distance)
+    )
 }
 
 /// Penetration and restitution that springs at contacts were asked for and reached, and how stiff they were for the
@@ -245,7 +269,6 @@ fn certificate(report: &RunReport) -> String {
         let at = self::at(report, certificate.max_joint_error_at);
         table.row(["largest error of a joint", &format!("{} m, {} rad{of_limit}{at}", number(apart), number(turned))]);
     }
-    table.row(["estimated error of the run, of a body's size", &measured(certificate.estimated_error)]);
     table.row(["fallbacks", &certificate.fallbacks.to_string()]);
     table.print()
 }

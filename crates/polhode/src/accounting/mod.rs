@@ -326,6 +326,11 @@ impl Accounts {
         }
     }
 
+    /// Takes no samples from now on: a run that nobody observes.
+    pub(crate) fn take_no_samples(&mut self) {
+        self.next_sample = u64::MAX;
+    }
+
     /// Time of the next output sample, s.
     pub(crate) fn next_sample_s(&self, model: &Model) -> f64 {
         self.next_sample as f64 * model.scene.output_interval_s()
@@ -376,8 +381,9 @@ impl Accounts {
         report.tolerated = self.tolerated.list().to_vec();
         report.choices = self.choices.list().to_vec();
         report.broken = self.measures.exceeded(model, &report.ledger, limits);
-        report.broken.extend(self.error_beyond_promise(report.certificate.estimated_error, limits));
-        if self.measures.long_steps.degrade(report.certificate.estimated_error) || !report.broken.is_empty() {
+        let error = report.error.relative();
+        report.broken.extend(self.error_beyond_promise(error, limits));
+        if self.measures.long_steps.degrade(error) || !report.broken.is_empty() {
             report.outcome = Outcome::Degraded;
         }
         report.warnings = report.broken.iter().map(BrokenPromise::to_string).collect();

@@ -171,7 +171,6 @@ fn save_certificate(certificate: &Certificate) -> content::Certificate {
         max_penetration_m: certificate.max_penetration_m,
         max_acceleration_error_bound: certificate.max_acceleration_error_bound,
         max_step_error: certificate.max_step_error,
-        estimated_error: certificate.estimated_error,
         factorisations: certificate.factorisations,
         fallbacks: certificate.fallbacks,
     }
@@ -182,7 +181,6 @@ fn restored_certificate(saved: &content::Certificate) -> Certificate {
         max_penetration_m: saved.max_penetration_m,
         max_acceleration_error_bound: saved.max_acceleration_error_bound,
         max_step_error: saved.max_step_error,
-        estimated_error: saved.estimated_error,
         factorisations: saved.factorisations,
         fallbacks: saved.fallbacks,
         ..Certificate::default()

@@ -31,6 +31,8 @@ pub(crate) const FACTS: TierFacts = TierFacts {
     own_response: None,
     flight: FlightRecords::WhereExact,
     order: ErrorOrder::OfIntegrator,
+    second_opinion: Tier::Accurate,
+    cheap: Tier::Accurate,
     promise: PROMISE,
     remedy: "from there on the motion is not to be trusted; a smaller method.tolerance may help",
     features: &[

@@ -12,8 +12,8 @@
 use super::constrained_step::{end_of, step_limit};
 use crate::accounting::books::Received;
 use crate::error::SimulationError;
-use crate::model::Model;
 use crate::model::states_of::states_of;
+use crate::model::{Model, work};
 use crate::plan::free_method::MOST_SPLITTINGS;
 use crate::snapshot::numbers::{read_states, write_states};
 use crate::snapshot::{SnapshotError, content};
@@ -175,6 +175,8 @@ impl FreeStep {
                 Err(source) => return Err(SimulationError::Integration { t_s: self.t, source }),
             }
         }
+        let steps = self.rigid.len() * self.integrator.inner_steps() as usize;
+        core.model.work.add(steps * work::OF_STEP);
         let error = self.integrator.step_error().unwrap_or(f64::INFINITY);
         self.own_step_s = match self.integrator.inner_steps() {
             ..=UNDIVIDED if error < NEGLIGIBLE_ERROR => 2.0 * h,

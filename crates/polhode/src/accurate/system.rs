@@ -21,7 +21,7 @@ use crate::accounting::books::Received;
 use crate::collision::active_contacts::ActiveContacts;
 use crate::collision::contact_kinematics;
 use crate::identity::contact_id::ContactId;
-use crate::model::{Loads, Model, prescribed};
+use crate::model::{Loads, Model, prescribed, work};
 use crate::reduced::tree::Tree;
 use crate::report::momentum_ledger::Momentum;
 use crate::solve::cone_violation::ConeViolation;
@@ -302,6 +302,7 @@ impl System for ContactSystem<'_> {
         for (&body, numbers) in self.bodies.iter().zip(state.as_chunks::<WIDTH>().0) {
             self.states[body] = BodyState::from_array(numbers);
         }
+        self.model.work.add(self.bodies.len() * work::OF_BODY);
         prescribed::prescribe(self.model, t, self.states);
         self.stages.place(self.model, self.states, self.bodies)?;
         let (model, states) = (self.model, &*self.states);

@@ -281,17 +281,4 @@ impl Tier for Engine {
     fn save(&self) -> content::Tier {
         content::Tier::Accurate(self.saved())
     }
-
-    /// Where a length grows by the largest factor from step to step, the companion would otherwise make the steps of
-    /// the run.
-    fn save_with_longer_steps(&self, factor: f64) -> content::Tier {
-        let mut saved = self.saved();
-        for track in &mut saved.tracks {
-            if let content::Mode::Crowded { step_s, spare_error, .. } = &mut track.mode {
-                *step_s *= factor;
-                *spare_error *= factor * factor;
-            }
-        }
-        content::Tier::Accurate(saved)
-    }
 }

@@ -9,7 +9,7 @@ use crate::collision::{contact_kinematics, passing};
 use crate::identity::contact_id::{ContactId, Feature};
 use crate::joints::joint_contacts;
 use crate::model::plane_of_motion::PlaneOfMotion;
-use crate::model::{Model, TOUCH_RELATIVE, tolerances};
+use crate::model::{Model, TOUCH_RELATIVE, tolerances, work};
 use polhode_contact::{Manifold, counterpart, separation};
 use polhode_dynamics::BodyState;
 use polhode_spatial::DVec3;
@@ -25,6 +25,7 @@ pub(crate) fn manifold_of<T>(
     read: impl FnOnce(&Manifold) -> T,
 ) -> Option<T> {
     let (shape_a, shape_b) = contact_kinematics::shapes(model, a, b)?;
+    model.work.add(work::OF_PAIR);
     let placed = ((shape_a, &states[a].pose), (shape_b, &states[b].pose));
     Some(model.narrow_phase.read((a, b), placed, (reach, model.bodies.len()), read))
 }
@@ -34,6 +35,7 @@ pub(crate) fn manifold_of<T>(
 /// step. None for a body without a shape.
 pub(crate) fn separation_without_memory(model: &Model, states: &[BodyState], a: usize, b: usize) -> Option<f64> {
     let (shape_a, shape_b) = contact_kinematics::shapes(model, a, b)?;
+    model.work.add(work::OF_PAIR);
     Some(separation(shape_a, &states[a].pose, shape_b, &states[b].pose))
 }
 

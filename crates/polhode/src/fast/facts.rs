@@ -40,6 +40,8 @@ pub(crate) const FACTS: TierFacts = TierFacts {
     own_response: None,
     flight: FlightRecords::None,
     order: ErrorOrder::WithContact(ORDER_OF_SUBSTEPS),
+    second_opinion: Tier::Accurate,
+    cheap: Tier::Fast,
     promise: PROMISE,
     remedy: "a shorter method.step or more method.substeps would help, or method.tier = \"stepped\"",
     features: &[TierFeature::Friction, TierFeature::Joints, TierFeature::SequentialImpulses],

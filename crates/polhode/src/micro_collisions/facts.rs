@@ -36,6 +36,8 @@ pub(crate) const FACTS: TierFacts = TierFacts {
     own_response: Some(Response::Impulse),
     flight: FlightRecords::None,
     order: ErrorOrder::WithContact(ORDER_WITH_CONTACT),
+    second_opinion: Tier::Accurate,
+    cheap: Tier::Fast,
     promise: PROMISE,
     remedy: "a shorter method.step would help, or method.tier = \"accurate\"",
     features: &[TierFeature::Friction],

@@ -20,6 +20,7 @@ use crate::model::narrow_phase::NarrowPhase;
 use crate::model::pivot_form::{PivotForm, PivotRows};
 use crate::model::plane_of_motion::PlanarBodies;
 use crate::model::prescribed_state;
+use crate::model::work::Work;
 use crate::scene::{Body, Joint, MovingFrames, Scene, SceneError};
 use polhode_dynamics::{BodyState, RigidBody};
 use polhode_spatial::{DVec3, Velocity};
@@ -49,6 +50,8 @@ pub(crate) struct Model {
     pub(crate) narrow_phase: NarrowPhase,
     /// The bodies whose motion is planar.
     pub(crate) planar: PlanarBodies,
+    /// What has been computed with it.
+    pub(crate) work: Work,
 }
 
 impl Model {
@@ -101,6 +104,7 @@ impl Model {
             envelope: None,
             narrow_phase: NarrowPhase::default(),
             planar: PlanarBodies::default(),
+            work: Work::default(),
         };
         model.make_joints(&states);
         let velocities: Vec<_> = states.iter().enumerate().map(|(body, state)| model.velocity(body, state)).collect();

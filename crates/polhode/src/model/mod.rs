@@ -19,6 +19,7 @@
 //! | `plane_of_motion` | the plane of a planar motion |
 //! | `states_of` | the states of some bodies among those of all |
 //! | `body_queries` | [`BodyQueries`](crate::BodyQueries): nearest body, rays, overlaps, distances |
+//! | `work` | what a run has computed, counted |
 //! | `narrow_phase` | contacts and separation of a pair of shapes, computed with the memory of the pair |
 //! | `envelope` | the distance from a body within which contacts are looked for |
 //! | `concerned` | the names of the bodies that an error concerns |
@@ -47,6 +48,7 @@ pub(crate) mod steered;
 mod steering;
 mod surfaces;
 pub(crate) mod tolerances;
+pub(crate) mod work;
 
 pub(crate) use bodies::Model;
 pub(crate) use body::ModelBody;

@@ -7,6 +7,7 @@
 
 use polhode_dynamics::BodyState;
 use polhode_spatial::DVec3;
+use serde::{Deserialize, Serialize};
 
 /// The plane of a planar motion: `normal . x = offset`.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -72,7 +73,7 @@ impl PlaneOfMotion {
 }
 
 /// How a body stands to the plane of motion.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub(crate) enum Membership {
     /// It moves in the plane.
     InPlane,
@@ -80,6 +81,14 @@ pub(crate) enum Membership {
     OwnImage,
     /// Its motion or shape is not its own mirror image.
     Outside,
+}
+
+/// The plane and its bodies as plain data: normal, offset (m), and how each body stands to it.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(crate) struct PlanarParts {
+    normal: [f64; 3],
+    offset: f64,
+    members: Vec<Membership>,
 }
 
 /// The bodies that move in the plane of a planar motion.
@@ -157,6 +166,18 @@ impl PlanarBodies {
         if !self.members.contains(&Membership::InPlane) {
             self.plane = None;
         }
+    }
+
+    /// As plain data; none without a plane.
+    pub(crate) fn parts(&self) -> Option<PlanarParts> {
+        let PlaneOfMotion { normal, offset, .. } = self.plane?;
+        Some(PlanarParts { normal: normal.to_array(), offset, members: self.members.clone() })
+    }
+
+    /// From such data.
+    pub(crate) fn of_parts(parts: Option<&PlanarParts>) -> Self {
+        let plane = |own: &PlanarParts| PlaneOfMotion::new(DVec3::from_array(own.normal), own.offset);
+        parts.map_or_else(Self::default, |own| Self::new(plane(own), own.members.clone()))
     }
 
     /// The same of which only these bodies move in the plane still.

@@ -32,6 +32,8 @@ pub(crate) const FACTS: TierFacts = TierFacts {
     own_response: Some(Response::Penalty),
     flight: FlightRecords::None,
     order: ErrorOrder::OfIntegrator,
+    second_opinion: Tier::Penalty,
+    cheap: Tier::Penalty,
     promise: PROMISE,
     remedy: "a smaller method.penalty.penetration_m would help, or method.tier = \"accurate\"",
     features: &[TierFeature::Friction, TierFeature::Joints, TierFeature::SurfaceEffects],

@@ -11,7 +11,7 @@ use super::contact::{ContactSpring, Evaluated, Force, Grip, SPRING};
 use crate::accounting::books::Received;
 use crate::identity::contact_id::ContactId;
 use crate::joints::bilateral::{self, bilateral_support};
-use crate::model::{Loads, Model, prescribed};
+use crate::model::{Loads, Model, prescribed, work};
 use crate::report::momentum_ledger::Momentum;
 use crate::solve::joint_reactions::JointReactions;
 use crate::tier::smooth_rates::{add, add_outside_rates, free_rates};
@@ -182,6 +182,7 @@ impl System for SpringSystem<'_> {
 
     fn derivative(&mut self, t: f64, flat: &[f64], rates: &mut [f64]) -> Result<(), Infallible> {
         self.set_states(t, flat);
+        self.model.work.add((self.bodies.len() + self.springs.len()) * work::OF_BODY);
         let loads = self.model.loads_on(t, self.states, self.bodies);
         free_rates(self.model, (self.bodies, self.states), &loads, flat, rates);
         let first = self.bodies.len() * WIDTH;

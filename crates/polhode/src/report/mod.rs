@@ -3,6 +3,7 @@
 //! | module | holds |
 //! |---|---|
 //! | [`run_report`] | [`RunReport`](crate::RunReport), [`Outcome`](crate::Outcome), `Certificate` |
+//! | `run_error` | [`RunError`](crate::RunError): the estimated error of a run |
 //! | `broken_promise` | [`BrokenPromise`](crate::BrokenPromise): a limit that a run has exceeded |
 //! | [`ledger`], [`momentum_ledger`] | [`Ledger`](crate::Ledger), [`MomentumLedger`](crate::MomentumLedger), by cause |
 //! | `energy` | [`Energy`](crate::Energy) of a scene |
@@ -23,5 +24,6 @@ pub(crate) mod joint_sample;
 pub mod ledger;
 pub mod momentum_ledger;
 pub mod observer;
+pub mod run_error;
 pub mod run_report;
 pub(crate) mod springs;

@@ -6,6 +6,7 @@ pub use crate::report::body_sample::ReportedBody;
 pub use crate::report::broken_promise::BrokenPromise;
 pub use crate::report::energy::Energy;
 use crate::report::ledger::Ledger;
+use crate::report::run_error::RunError;
 use crate::report::springs::SpringReport;
 use std::fmt;
 
@@ -81,16 +82,11 @@ pub struct Certificate {
     pub max_joint_error_of_limit: f64,
     /// The bodies and the time of the largest distance; one body twice where the joint holds it to the world.
     pub max_joint_error_at: Option<PairAt>,
-    /// Estimated error of a run by fixed steps of the tiers `stepped` and `thesis`: the largest sum of the errors of
-    /// position of a body, relative to its size, each by comparison with two steps of half the length; in the tier
-    /// `thesis` with the deepest overlap. It does not contain what an unstable motion adds. None in the tier
-    /// `accurate`.
-    pub estimated_error: Option<f64>,
     /// The largest energy that the integrator had lost or gained at any time, relative to the largest energy of the run
     /// until then: above the promised part the run is degraded.
     pub max_numerical_relative: f64,
     /// Factorisations by which time steps have solved for the velocities of bodies with many rough contacts: what they
-    /// cost, whatever the machine. Those of samples within a step, and of its comparison with two halves, are left out.
+    /// cost, whatever the machine. Those of samples within a step are left out.
     pub factorisations: u64,
     /// Number of fallbacks: a fallback solver answered, an event was postponed (backoff), a contact was not projected.
     /// [`RunReport::tolerated`] names them.
@@ -181,21 +177,6 @@ pub struct CrowdedStretch {
     pub max_residual: f64,
 }
 
-/// The estimated error at the end of a run that stretches of crowded events have caused, with all that followed from
-/// it: how far the run is from one with longer time steps in these stretches.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[non_exhaustive]
-pub struct CrowdingError {
-    /// Largest distance of any point of a body from its place, m, bounded by the size of the body.
-    pub position_m: f64,
-    /// The body of that distance.
-    pub body: Option<BodyId>,
-    /// Largest error of the velocity of a body, m/s.
-    pub velocity_m_s: f64,
-    /// Largest error of the angular velocity of a body, rad/s.
-    pub angular_velocity_rad_s: f64,
-}
-
 /// A change of the plan, which is derived again after every action of the program.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
@@ -231,6 +212,8 @@ pub struct RunReport {
     pub energy: Energy,
     /// Energy and momentum, booked by cause.
     pub ledger: Ledger,
+    /// The estimated error of the run.
+    pub error: RunError,
     /// What is certain about the accuracy.
     pub certificate: Certificate,
     /// The limits of the promise that were exceeded: a run without one may be degraded too, as a warning says.
@@ -239,9 +222,6 @@ pub struct RunReport {
     pub warnings: Vec<String>,
     /// Stretches of crowded events, passed by time steps: the events in them are not located exactly.
     pub crowded: Vec<CrowdedStretch>,
-    /// The estimated error that these stretches have caused; none without one, and where it is unknown, which a warning
-    /// says.
-    pub crowding_error: Option<CrowdingError>,
     /// Changes of the plan by actions of the program.
     pub plan_changes: Vec<PlanChange>,
     /// Occurrence violations and fallbacks, in the order of their first occurrence. Their counts add up to

@@ -172,20 +172,19 @@ impl Assembly {
             constraints.extend(std::iter::repeat_n(bilateral.id, bilateral.rows.len()));
             rows.bilateral(bilateral, &mut problem)?;
         }
-        let (tangents, tangent_rows) = (Vec::new(), Vec::new());
-        let (rotations, rotation_rows) = (Vec::new(), Vec::new());
         let depend = pressed.iter().any(|(_, own)| own.is_by_load()) && held::has_loops_among(model, bodies);
         let supports = depend.then(|| Supports::of(&problem, contacts..problem.len()));
+        model.work.add_problem(bodies.len(), problem.len());
         let bodies = bodies.to_vec();
         Ok(Self {
             problem,
             constraints,
             contacts,
             bilaterals,
-            tangents,
-            tangent_rows,
-            rotations,
-            rotation_rows,
+            tangents: Vec::new(),
+            tangent_rows: Vec::new(),
+            rotations: Vec::new(),
+            rotation_rows: Vec::new(),
             pressed,
             last_round: LastRound::default(),
             stops,

@@ -1,139 +1,529 @@
-//! How a run is accompanied by the same run with time steps twice as long in its stretches of crowded events, and the
-//! error of these stretches estimated by the distance of the two.
+//! How runs beside a run ("references") are begun, followed and compared with it, to estimate its error
+//! (`crate::error_estimate`).
 //!
-//! It begins at the first such stretch, from the states there, follows every action of the program, and is compared
-//! with the run at the end. Of time steps of length `h` the error is `e ~ h^p`, with `p` 2 between changes of contact
-//! and 1 across them, whatever amplifies it later. That of the companion is `2^p e`, and the distance of the two runs
-//! `(2^p - 1) e`, from `e` to `3 e`. The estimate is [`ESTIMATE_SAFETY`] times this distance, and the positions are at
-//! least as uncertain as the errors of the steps themselves. Source: step doubling (docs/REFERENCES.md, Hairer, Norsett
-//! and Wanner), applied to the whole motion and not to one step.
-//!
-//! Assumes that the error falls with the steps. Limit: two motions that have lost all memory of each other (chaos) are
-//! as far apart as the scene is wide, which says that the error is as large. Where the companion ends with an error,
-//! the estimate is absent, and a warning says why.
+//! References begin with the run, follow every action of the program, and are compared with the run at its present,
+//! whenever they have come to the end of a step of theirs. Where they take more of the work of the run than they may,
+//! the one that takes most ends; others begin when that part has grown enough. A reference that fails ends, and the
+//! report says why; after three failures of a kind, one after the other, none begins any more.
 
 use crate::error::SimulationError;
-use crate::identity::body_id::BodyId;
-use crate::report::run_report::CrowdingError;
-use crate::run::companion::Companion;
+use crate::error_estimate::budget::{Allowed, LEAST_COMPARISONS, allowed};
+use crate::error_estimate::course::Course;
+use crate::error_estimate::effort::ErrorEstimation;
+use crate::error_estimate::growth::ROUNDING as ROUNDING_OF_START;
+use crate::error_estimate::references::{Reference, ReferenceBegin, References, StartOfRun};
+use crate::model::plane_of_motion::PlanarBodies;
+use crate::model::work;
+use crate::report::observer::{BodySample, Unobserved};
+use crate::report::run_error::{BodyError, ReferenceKind, RunError};
+use crate::run::beside::ReferenceMethod;
 use crate::run::simulation::Simulation;
-use crate::snapshot::content::{self, Content};
-use crate::solve::overlap::displacement;
-use crate::tier::facts::TierFeature;
+use crate::snapshot::numbers::{read_states, write_states};
+use crate::snapshot::{SnapshotError, content};
+use polhode_spatial::DVec3;
 
-/// How many times longer its time steps are (no unit).
-const STEP_FACTOR: f64 = 2.0;
+/// Comparisons of a run under error control.
+const COMPARISONS: f64 = 200.0;
 
-/// The estimate in distances of the two runs (no unit, 1 to 3): where errors fall more slowly than with the length of
-/// the steps, the distance is less than the error.
-const ESTIMATE_SAFETY: f64 = 2.0;
+/// Failures of references of a kind, one after the other, after which none begins any more.
+const MOST_FAILURES: u32 = 3;
 
-/// The estimated error, relative to the size of the body, beyond which a warning says that its place is not known (no
-/// unit, 0.01 to 1).
+/// How often the first step of another method solves for what the beginning of the run has solved for.
+const STAGES_OF_BEGINNING: f64 = 20.0;
+
+/// Distances of the past fade within this part of the time that a reference has run (no unit, 0.05 to 0.5).
+const FADES_WITHIN: f64 = 0.2;
+
+/// The largest error that a body is said to have, in ways that it has come from its start (no unit, 1 to 4).
+const MOST_WAYS: f64 = 2.0;
+
+/// The estimated error, of the size of a body, beyond which a warning says that its place is not known (no unit, 0.01
+/// to 1).
 const PLACE_UNKNOWN: f64 = 0.1;
 
-impl Companion<Simulation> {
-    /// The companion as plain data.
-    pub(crate) fn save(&self) -> content::Companion {
-        match self {
-            Self::None | Self::Itself => content::Companion::None,
-            Self::Beside(companion) => content::Companion::Beside(Box::new(companion.content())),
-            Self::Lost(reason) => content::Companion::Lost(reason.clone()),
-        }
-    }
-}
+/// The error of time steps in crowded events, in distances from a run with steps twice as long (no unit, 1 to 3).
+const CROWDED_WEIGHT: f64 = 2.0;
+
+/// Rounding of a position, of its coordinates, and of an attitude, of the angle that a body has turned by (no unit).
+const ROUNDING: f64 = 8.0 * f64::EPSILON;
 
 impl Simulation {
-    /// The companion that continues from this content.
-    ///
-    /// # Errors
-    /// When the content contradicts itself.
-    fn companion_from(&self, content: &Content) -> Result<Companion<Self>, SimulationError> {
-        let mut settings = self.core.settings;
-        settings.crowd_step_factor = STEP_FACTOR;
-        self.twin(content, settings).map(|twin| Companion::Beside(Box::new(twin)))
-    }
-
-    /// The companion of a snapshot.
-    ///
-    /// # Errors
-    /// When its content contradicts itself.
-    pub(crate) fn restored_companion(&self, saved: &content::Companion) -> Result<Companion<Self>, SimulationError> {
-        match saved {
-            content::Companion::None => Ok(Companion::None),
-            content::Companion::Beside(content) => self.companion_from(content),
-            content::Companion::Lost(reason) => Ok(Companion::Lost(reason.clone())),
+    /// Estimates the error of the run so from now on. Before the first step references begin with the run; later they
+    /// tell what happens from then on.
+    pub fn set_error_estimation(&mut self, estimation: ErrorEstimation) {
+        self.references.effort = estimation;
+        if estimation == ErrorEstimation::Off {
+            self.references.running.clear();
         }
     }
 
-    /// Lets the companion follow: it begins with the first stretch of crowded events.
-    pub(crate) fn accompany(&mut self) {
-        let is_needed = self.core.settings.takes(TierFeature::CrowdedStretches) && self.core.accounts.has_crowded();
-        if matches!(self.companion, Companion::None) && is_needed {
-            let tier = self.tier.save_with_longer_steps(STEP_FACTOR);
-            let begun = self.companion_from(&Content { tier, ..self.content() });
-            self.companion = begun.unwrap_or_else(|error| Companion::Lost(error.to_string()));
-        }
-        // It is brought up seldom: each time costs the evaluation of its steps.
-        if matches!(&self.companion, Companion::Beside(own) if self.time() - own.time() >= self.core.settings.step_s) {
-            self.bring_companion();
-        }
+    /// The same simulation, whose error is estimated so.
+    #[must_use]
+    pub fn estimating(mut self, estimation: ErrorEstimation) -> Self {
+        self.set_error_estimation(estimation);
+        self
     }
 
-    /// Advances the companion to the present of the run.
-    pub(crate) fn bring_companion(&mut self) {
-        let t = self.time();
-        self.with_companion(|companion| companion.advance_to(t));
+    /// How the error of the run is estimated.
+    pub fn error_estimation(&self) -> ErrorEstimation {
+        self.references.effort
     }
 
-    /// Repeats an action of the program on the companion.
-    pub(crate) fn repeat_on_companion(&mut self, action: impl FnOnce(&mut Self) -> Result<(), SimulationError>) {
-        self.bring_companion();
-        self.with_companion(action);
-    }
-
-    /// Does something with the companion, if there is one. One that fails is lost.
-    fn with_companion(&mut self, work: impl FnOnce(&mut Self) -> Result<(), SimulationError>) {
-        let Companion::Beside(companion) = &mut self.companion else { return };
-        if let Err(error) = work(companion) {
-            self.companion = Companion::Lost(error.to_string());
+    /// The estimated error of the run at its last comparison.
+    pub fn error(&self) -> RunError {
+        let References { effort, ref course, .. } = self.references;
+        let mut bodies = course.errors.clone();
+        bodies.truncate(self.core.model.shown());
+        RunError {
+            estimation: effort,
+            largest: course.largest(),
+            bodies,
+            horizon_s: course.growth.horizon_s,
+            references: course.references(),
         }
     }
 
-    /// The estimated error at the present that stretches of crowded events have caused; none without one. The companion
-    /// has been brought to the present.
-    pub(crate) fn crowding_error(&self) -> Option<CrowdingError> {
-        let Companion::Beside(companion) = &self.companion else { return None };
-        let (own, other) = (self.tier.states(&self.core), companion.tier.states(&companion.core));
-        let model = &self.core.model;
-        let local: f64 = self.core.accounts.crowded.errors();
-        let mut estimate =
-            CrowdingError { position_m: 0.0, body: None, velocity_m_s: 0.0, angular_velocity_rad_s: 0.0 };
-        for &body in model.movable.iter().filter(|&&body| model.bodies[body].moves()) {
-            let apart = ESTIMATE_SAFETY * displacement(model, body, &own[body], &other[body]);
-            let position_m = apart.max(local * model.bodies[body].size);
-            if position_m > estimate.position_m {
-                (estimate.position_m, estimate.body) = (position_m, Some(BodyId::new(body)));
+    /// Begins the references that begin with the run, as far as they may cost what its beginning has cost.
+    pub(super) fn begin_references(&mut self) {
+        if self.references.course.has_begun || self.references.effort == ErrorEstimation::Off {
+            return;
+        }
+        let start = self.start_at_present();
+        let course = &mut self.references.course;
+        course.has_begun = true;
+        course.compared_s = start.t_s;
+        course.beginning = self.core.work;
+        course.start = self.tier.samples(&self.core).iter().map(place_of).collect();
+        self.references.start = Some(start);
+        let mut references = std::mem::take(&mut self.references);
+        self.references.effort = references.effort;
+        self.begin_due(&mut references);
+        references.course.next_s = self.next_comparison();
+        self.references = references;
+    }
+
+    /// The kinds of references of an effort.
+    fn kinds(&self, effort: ErrorEstimation) -> impl Iterator<Item = ReferenceKind> + use<> {
+        let tier = self.core.settings.tier;
+        let repeats = tier.facts().second_opinion == tier && effort == ErrorEstimation::Quick;
+        let is_fixed = self.core.settings.named_integrator.is_some_and(|named| !named.controls_error());
+        // The same tier with a smaller tolerance costs more than the run.
+        let is_used = move |kind: &ReferenceKind| *kind != ReferenceKind::OtherMethod || !repeats || is_fixed;
+        ReferenceKind::ALL.into_iter().filter(is_used)
+    }
+
+    /// When the run is compared next, s.
+    fn next_comparison(&self) -> f64 {
+        let (t, settings) = (self.core.t, &self.core.settings);
+        if settings.tier.facts().controls_error() {
+            return t + (self.scene.duration_s() / COMPARISONS).max(settings.step_s);
+        }
+        // The ends of the longer steps of a reference are ends of steps of the run.
+        let long_step_s = settings.step_s * self.references.effort.step_factor();
+        let several = (self.scene.duration_s() / (COMPARISONS * long_step_s)).floor().max(1.0);
+        let interval_s = long_step_s * several;
+        ((t / interval_s).floor() + 1.0) * interval_s
+    }
+
+    /// Begins a reference of a kind: with the run, if it can, else within it.
+    fn begin_reference(&self, references: &mut References<Self>, kind: ReferenceKind, start: Option<&StartOfRun>) {
+        let Some(by) = self.reference_method(kind) else { return };
+        let present = self.start_at_present();
+        let from = start.unwrap_or(&present);
+        let begun = if kind == ReferenceKind::Disturbed {
+            let both =
+                self.beside(&by, from, ROUNDING_OF_START).and_then(|run| Ok((run, self.beside(&by, from, 0.0)?)));
+            both.map(|(run, partner)| (run, Some(Box::new(partner))))
+        } else {
+            self.beside(&by, from, 0.0).map(|run| (run, None))
+        };
+        let base = if start.is_some() { Vec::new() } else { references.course.errors.clone() };
+        let own = references.course.of_mut(kind);
+        match begun {
+            Ok((run, partner)) => {
+                own.begun += 1;
+                own.method = by.words;
+                own.ended = None;
+                let begin = ReferenceBegin { begun_s: from.t_s, is_whole: start.is_some(), base, weight: by.weight };
+                references.running.push(Reference { partner, ..Reference::new(kind, Box::new(run), begin) });
             }
-            let [one, two] = [&own, &other].map(|states| model.velocity(body, &states[body]));
-            let (linear, angular) = ((one.linear - two.linear).length(), (one.angular - two.angular).length());
-            estimate.velocity_m_s = estimate.velocity_m_s.max(ESTIMATE_SAFETY * linear);
-            estimate.angular_velocity_rad_s = estimate.angular_velocity_rad_s.max(ESTIMATE_SAFETY * angular);
+            Err(error) => {
+                own.failed += 1;
+                own.ended = Some(error.to_string());
+            }
         }
-        Some(estimate)
+    }
+
+    /// Compares the run with its references, where it is time to.
+    pub(super) fn follow(&mut self) {
+        if self.references.effort == ErrorEstimation::Off {
+            return;
+        }
+        let is_due = self.core.t >= self.references.course.next_s - f64::EPSILON * self.core.t;
+        if is_due || (self.ended && self.references.course.compared_s < self.core.t) {
+            self.compare();
+        }
+    }
+
+    /// Brings the references to the present of the run, and compares it with them.
+    fn compare(&mut self) {
+        let t = self.core.t;
+        let mut references = std::mem::take(&mut self.references);
+        self.references.effort = references.effort;
+        let mut running = std::mem::take(&mut references.running);
+        let now = self.allowed(&references);
+        for place in (0..running.len()).rev() {
+            let kind = running[place].kind;
+            let (before, from_s) = (running[place].work(), running[place].run.core.t);
+            let reached = running[place].bring_to(t, now.ahead - references.course.spent() as f64);
+            let way_s = running[place].run.core.t - from_s;
+            if way_s > 0.0 {
+                references.course.of_mut(kind).per_second = (running[place].work() - before) as f64 / way_s;
+            }
+            match reached {
+                Ok(true) => references.course.of_mut(kind).failed = 0,
+                Ok(false) => self.end_reference(&mut references, &mut running, place, None),
+                Err(error) => self.end_reference(&mut references, &mut running, place, Some(error)),
+            }
+        }
+        while spent(&references.course, &running) > now.ahead {
+            let rate = |own: &Reference<Self>| own.work() as f64 / (t - own.begun_s);
+            let costliest = running.iter().enumerate().max_by(|a, b| rate(a.1).total_cmp(&rate(b.1)));
+            let Some((place, _)) = costliest else { break };
+            self.end_reference(&mut references, &mut running, place, None);
+        }
+        references.running = running;
+        self.note_distances(&mut references);
+        if self.ended && references.course.errors.is_empty() {
+            self.repeat_with_other_steps(&mut references);
+            self.note_distances(&mut references);
+        }
+        self.begin_due(&mut references);
+        self.references = references;
+        self.references.course.next_s = self.next_comparison();
+    }
+
+    /// Ends the reference at this place, because of an error or of what it costs.
+    fn end_reference(
+        &self,
+        references: &mut References<Self>,
+        running: &mut Vec<Reference<Self>>,
+        place: usize,
+        error: Option<SimulationError>,
+    ) {
+        let reference = running.remove(place);
+        let course = &mut references.course;
+        let length_s = course.compared_s - reference.begun_s;
+        if length_s > 0.0 && reference.kind != ReferenceKind::Disturbed {
+            course.rates = reference.since.iter().map(|since| since.times(1.0 / length_s)).collect();
+        }
+        let own = course.of_mut(reference.kind);
+        own.spent += reference.work();
+        match error {
+            Some(error) => {
+                own.failed += 1;
+                own.ended = Some(error.to_string());
+            }
+            None => own.ended = Some("it costs more than the estimate may".to_owned()),
+        }
+    }
+
+    /// Repeats a run that has ended with other steps, where it was too short for anything else: one that costs more
+    /// than the estimate may is better than none.
+    fn repeat_with_other_steps(&self, references: &mut References<Self>) {
+        let Some(start) = references.start.take() else { return };
+        self.begin_reference(references, ReferenceKind::OtherSteps, Some(&start));
+        let mut running = std::mem::take(&mut references.running);
+        if let Some(Err(error)) = running.last_mut().map(|own| own.bring_to(self.core.t, f64::INFINITY)) {
+            let last = running.len() - 1;
+            self.end_reference(references, &mut running, last, Some(error));
+        }
+        references.running = running;
+    }
+
+    /// What references may have taken by now.
+    fn allowed(&self, references: &References<Self>) -> Allowed {
+        let begun_s = references.start.as_ref().map_or(0.0, |start| start.t_s);
+        allowed(references.effort, self.core.work, (self.core.t - begun_s) / (self.scene.duration_s() - begun_s))
+    }
+
+    /// Begins references that the run can pay for now: whole ones, from its start, if it can pay for all of their way,
+    /// else pieces.
+    fn begin_due(&self, references: &mut References<Self>) {
+        let t = self.core.t;
+        for kind in self.kinds(references.effort) {
+            let known = references.course.of(kind);
+            let is_needless = match kind {
+                ReferenceKind::OtherMethod => false,
+                ReferenceKind::OtherSteps => {
+                    let is_best = |own: &Reference<Self>| own.kind == ReferenceKind::OtherMethod && own.is_whole;
+                    references.effort == ErrorEstimation::Quick && references.running.iter().any(is_best)
+                }
+                // How an error grows is of no use where none is known.
+                ReferenceKind::Disturbed => references.running.is_empty() && references.course.errors.is_empty(),
+            };
+            if references.runs(kind) || known.failed >= MOST_FAILURES || is_needless {
+                continue;
+            }
+            let (per_second, allowed) = (known.per_second, self.allowed(references));
+            let left = allowed.at_once - spent(&references.course, &references.running);
+            let to_begin = beginning(kind, references.course.beginning);
+            let of_rest = per_second * (self.scene.duration_s() - t).max(0.0);
+            let start = references.start.take_if(|start| {
+                let needed = to_begin + per_second * (t - start.t_s);
+                left >= needed
+                    && of_rest <= allowed.of_rest + left - needed
+                    && self.core.model.joints.released.is_empty()
+            });
+            // What has never run begins with the run, if it can.
+            let is_piece =
+                kind != ReferenceKind::Disturbed && !self.ended && (per_second > 0.0 || references.start.is_none());
+            let of_piece = to_begin.max(LEAST_COMPARISONS * per_second * (self.next_comparison() - t));
+            if start.is_some() || (is_piece && left >= of_piece) {
+                self.begin_reference(references, kind, start.as_ref());
+            }
+            references.start = references.start.take().or(start);
+        }
+    }
+
+    /// Notes how far the run is from its references at the present, and what that says of its errors.
+    fn note_distances(&self, references: &mut References<Self>) {
+        let (t, model) = (self.core.t, &self.core.model);
+        let samples = self.tier.samples(&self.core);
+        let sizes: Vec<f64> = model.bodies.iter().map(|body| body.size).collect();
+        let since_s = t - references.course.compared_s;
+        let References { running, course, .. } = references;
+        let mut growth = 1.0;
+        for reference in running.iter_mut() {
+            let others = reference.run.tier.samples(&reference.run.core);
+            let own = reference.partner.as_ref().map(|partner| partner.tier.samples(&partner.core));
+            let own = own.as_ref().unwrap_or(&samples);
+            let distances: Vec<BodyError> = own.iter().zip(&others).map(|(a, b)| distance(a, b)).collect();
+            let largest = distances.iter().zip(&sizes).map(|(own, &size)| own.of_size(size)).fold(0.0, f64::max);
+            let known = course.of_mut(reference.kind);
+            known.largest = known.largest.max(largest);
+            let way_s = t - reference.begun_s;
+            known.covered_s = if reference.is_whole { way_s } else { known.covered_s + since_s.min(way_s) };
+            if reference.kind == ReferenceKind::Disturbed {
+                growth = course.growth.note(t, largest);
+                continue;
+            }
+            let fade = (1.0 - since_s / (FADES_WITHIN * (t - reference.begun_s))).max(0.0);
+            let weight = self.weight(reference);
+            reference.since.resize(distances.len(), BodyError::default());
+            for (since, distance) in reference.since.iter_mut().zip(&distances) {
+                *since = since.times(fade).max(distance.times(weight));
+            }
+        }
+        let (mut whole, mut pieces) = (None::<Vec<BodyError>>, None::<Vec<BodyError>>);
+        for reference in running.iter_mut().filter(|own| own.kind != ReferenceKind::Disturbed) {
+            reference.base.iter_mut().for_each(|base| *base = base.times(growth));
+            // A whole run by another method, which comes first, is better than any by other steps.
+            if !reference.is_whole {
+                pieces = Some(larger(pieces, reference.errors()));
+            } else if whole.is_none() {
+                whole = Some(reference.errors());
+            }
+        }
+        let errors = match (whole, pieces) {
+            (Some(whole), Some(pieces)) => larger(Some(whole), pieces),
+            (Some(errors), None) | (None, Some(errors)) => errors,
+            (None, None) if course.errors.is_empty() => return,
+            (None, None) => course.grown(growth, since_s, samples.len()),
+        };
+        let local = self.core.accounts.crowded.errors();
+        let of_body = |(body, error): (usize, BodyError)| {
+            let (sample, size) = (&samples[body], sizes[body]);
+            let start = course.start.get(body).map_or(sample.pose.translation, |at| DVec3::from_array(*at));
+            let way = (sample.pose.translation - start).length() + size;
+            let most = BodyError::new(MOST_WAYS * way, std::f64::consts::PI);
+            error.min(most).max(rounding(sample, size, t)).max(BodyError::new(local * size, 0.0))
+        };
+        let errors = errors.into_iter().enumerate().map(of_body).collect();
+        course.note(t, errors, &sizes);
+    }
+
+    /// What the distance from a reference is multiplied by. Where time steps pass crowded events, their error is larger
+    /// than that of all else.
+    fn weight(&self, reference: &Reference<Self>) -> f64 {
+        let is_crowded = self.core.accounts.has_crowded() && reference.kind == ReferenceKind::OtherSteps;
+        if is_crowded { CROWDED_WEIGHT } else { reference.weight }
+    }
+
+    /// Repeats an action of the program on the references.
+    pub(crate) fn repeat_beside(&mut self, mut action: impl FnMut(&mut Self) -> Result<(), SimulationError>) {
+        let t = self.core.t;
+        let mut references = std::mem::take(&mut self.references);
+        self.references.effort = references.effort;
+        // One that begins later would not have taken part in it.
+        references.start = None;
+        let mut running = std::mem::take(&mut references.running);
+        for place in (0..running.len()).rev() {
+            let reference = &mut running[place];
+            let mut done = reference.bring_to(t, f64::INFINITY).and_then(|_| action(&mut reference.run));
+            if let (Ok(()), Some(partner)) = (&done, &mut reference.partner) {
+                done = action(partner);
+            }
+            if let Err(error) = done {
+                self.end_reference(&mut references, &mut running, place, Some(error));
+            }
+        }
+        references.running = running;
+        self.references = references;
     }
 
     /// What a warning says where an estimated error leaves a body in no known place; none where all are known.
-    pub(crate) fn unknown_motion(&self, error: &CrowdingError) -> Option<String> {
-        let body = self.core.model.bodies.get(error.body?.index())?;
-        let relative = error.position_m / body.size;
+    pub(super) fn unknown_motion(&self, error: &RunError) -> Option<String> {
+        let sized = error.bodies.iter().zip(&self.core.model.bodies);
+        let relative = sized.map(|(error, body)| (error.of_size(body.size), &body.name));
+        let (relative, name) = relative.max_by(|a, b| a.0.total_cmp(&b.0))?;
         (relative > PLACE_UNKNOWN).then(|| {
-            format!(
-                "where {} is at the end is not known: the estimated error of stretches of crowded events is \
-                 {relative:.2} of its size. A smaller method.crowding_tolerance may do; where the motion amplifies \
-                 every difference nothing does",
-                body.name
-            )
+            format!("where {name} is at the end is not known: the estimated error is {relative:.2} of its size")
         })
     }
+
+    /// The references as plain data.
+    pub(super) fn save_references(&self) -> content::ErrorEstimate {
+        let save = |reference: &Reference<Self>| content::Reference {
+            kind: reference.kind,
+            run: reference.run.save_beside(),
+            partner: reference.partner.as_ref().map(|partner| partner.save_beside()),
+            begun_s: reference.begun_s,
+            is_whole: reference.is_whole,
+            base: reference.base.clone(),
+            since: reference.since.clone(),
+        };
+        let course = self.references.course.clone();
+        content::ErrorEstimate {
+            effort: self.references.effort,
+            start: self.references.start.as_ref().map(|start| content::StartOfRun {
+                t_s: start.t_s,
+                states: write_states(&start.states),
+                rested: start.rested.clone(),
+            }),
+            course,
+            running: self.references.running.iter().map(save).collect(),
+        }
+    }
+
+    /// The start of the run in a snapshot.
+    ///
+    /// # Errors
+    /// When it is of another number of bodies.
+    fn restored_start(&self, saved: &content::StartOfRun) -> Result<StartOfRun, SnapshotError> {
+        let states = read_states(&saved.states, self.core.model.bodies.len())?;
+        Ok(StartOfRun { t_s: saved.t_s, states, rested: saved.rested.clone() })
+    }
+
+    /// This run beside a run as plain data.
+    fn save_beside(&self) -> content::RunBeside {
+        content::RunBeside { content: Box::new(self.content()), planar: self.planar_at_start.parts() }
+    }
+
+    /// A run by this method beside this one.
+    ///
+    /// # Errors
+    /// When its content contradicts itself.
+    fn restored_beside(&self, saved: &content::RunBeside, by: &ReferenceMethod) -> Result<Box<Self>, SimulationError> {
+        let at_start = PlanarBodies::of_parts(saved.planar.as_ref());
+        let twin = self.twin_by(&saved.content, by.settings, (self.reference_model(by)?, at_start))?;
+        Ok(Box::new(Self { scene: self.scene.clone().with_method(by.method.clone()), ..twin }))
+    }
+
+    /// The references of a snapshot.
+    ///
+    /// # Errors
+    /// When the content of one contradicts itself.
+    pub(super) fn restored_references(
+        &self,
+        saved: &content::ErrorEstimate,
+    ) -> Result<References<Self>, SimulationError> {
+        let start = saved.start.as_ref().map(|start| self.restored_start(start)).transpose()?;
+        let mut references = References { start, course: saved.course.clone(), ..References::new(saved.effort) };
+        for own in &saved.running {
+            let Some(by) = self.reference_method(own.kind) else { continue };
+            let run = self.restored_beside(&own.run, &by)?;
+            let partner = own.partner.as_ref().map(|partner| self.restored_beside(partner, &by)).transpose()?;
+            let (begun_s, is_whole, base) = (own.begun_s, own.is_whole, own.base.clone());
+            let begin = ReferenceBegin { begun_s, is_whole, base, weight: by.weight };
+            let reference = Reference::new(own.kind, run, begin);
+            references.running.push(Reference { partner, since: own.since.clone(), ..reference });
+        }
+        Ok(references)
+    }
+}
+
+impl Reference<Simulation> {
+    /// Units of work so far.
+    fn work(&self) -> u64 {
+        self.run.core.work + self.partner.as_ref().map_or(0, |partner| partner.core.work)
+    }
+
+    /// Advances it to a time (s), unless its work exceeds what is left. Whether it got there.
+    ///
+    /// # Errors
+    /// When it cannot go on.
+    fn bring_to(&mut self, t: f64, left: f64) -> Result<bool, SimulationError> {
+        for run in std::iter::once(&mut self.run).chain(&mut self.partner) {
+            let duration = run.scene.duration_s();
+            loop {
+                let limit = if run.ended { t } else { t.min(duration) };
+                let step = run.advance(limit, &mut Unobserved)?;
+                if step.t_s >= t && !step.is_event() {
+                    break;
+                }
+                if run.core.work as f64 > left {
+                    return Ok(false);
+                }
+            }
+        }
+        Ok(true)
+    }
+
+    /// The errors of the bodies of the run that it says.
+    fn errors(&self) -> Vec<BodyError> {
+        let base = |body: usize| self.base.get(body).copied().unwrap_or_default();
+        self.since.iter().enumerate().map(|(body, since)| base(body).plus(*since)).collect()
+    }
+}
+
+/// Units of work of all references so far.
+fn spent(course: &Course, running: &[Reference<Simulation>]) -> f64 {
+    (course.spent() + running.iter().map(Reference::work).sum::<u64>()) as f64
+}
+
+/// Units of work that a reference of a kind may need to begin, where the beginning of the run has taken `own`. The
+/// first step of another method solves for the contact forces at many stages.
+fn beginning(kind: ReferenceKind, own: u64) -> f64 {
+    let fixed = (work::OF_BEGINNING as f64).min(own as f64);
+    match kind {
+        ReferenceKind::OtherMethod => fixed + STAGES_OF_BEGINNING * (own as f64 - fixed),
+        ReferenceKind::OtherSteps => own as f64,
+        ReferenceKind::Disturbed => 2.0 * own as f64,
+    }
+}
+
+/// Where a body is, m.
+fn place_of(sample: &BodySample) -> [f64; 3] {
+    sample.pose.translation.to_array()
+}
+
+/// The larger errors of both.
+fn larger(one: Option<Vec<BodyError>>, other: Vec<BodyError>) -> Vec<BodyError> {
+    let Some(one) = one else { return other };
+    one.into_iter().zip(other).map(|(a, b)| a.max(b)).collect()
+}
+
+/// How far a body is from where another run has it.
+fn distance(one: &BodySample, other: &BodySample) -> BodyError {
+    let apart = (one.pose.translation - other.pose.translation).length();
+    BodyError::new(apart, one.pose.rotation.angle_to(other.pose.rotation))
+}
+
+/// What rounding alone may have done to a body of this size (m) until `t` (s).
+fn rounding(sample: &BodySample, size: f64, t: f64) -> BodyError {
+    let speed = sample.velocity.linear.length();
+    let turn = sample.velocity.angular.length();
+    let way = sample.pose.translation.abs().max_element() + speed * t + size;
+    BodyError::new(ROUNDING * way, ROUNDING * (1.0 + turn * t))
 }

@@ -38,7 +38,7 @@ impl Simulation {
         self.finite(index, "the torque", torque_nm)?;
         let wrench = Wrench { force: force_n, torque: torque_nm };
         self.act(&[index], &[], "set_force", |simulation| Ok(simulation.core.model.set_applied(index, wrench)?))?;
-        self.repeat_on_companion(|companion| companion.set_force(body, force_n, torque_nm));
+        self.repeat_beside(|beside| beside.set_force(body, force_n, torque_nm));
         Ok(())
     }
 
@@ -75,7 +75,7 @@ impl Simulation {
         self.act(&bodies, &[], "set_motor", |simulation| {
             Ok(motors::set_motor(&mut simulation.core.model, joint.index(), coordinate, motor)?)
         })?;
-        self.repeat_on_companion(|companion| companion.set_motor(joint, coordinate, motor));
+        self.repeat_beside(|beside| beside.set_motor(joint, coordinate, motor));
         Ok(())
     }
 
@@ -94,7 +94,7 @@ impl Simulation {
             }
             pivots::hold_velocity(model, index, state);
         })?;
-        self.repeat_on_companion(|companion| companion.apply_impulse(body, impulse_ns, point_m));
+        self.repeat_beside(|beside| beside.apply_impulse(body, impulse_ns, point_m));
         Ok(())
     }
 
@@ -111,7 +111,7 @@ impl Simulation {
         self.change_state(index, &[], "set_velocity", |model, rigid, state| {
             *state = rigid.at_velocity(state.pose, pivots::admitted_velocity(model, index, &state.pose, velocity));
         })?;
-        self.repeat_on_companion(|companion| companion.set_velocity(body, velocity));
+        self.repeat_beside(|beside| beside.set_velocity(body, velocity));
         Ok(())
     }
 
@@ -147,7 +147,7 @@ impl Simulation {
             let velocity = rigid.center_of_mass_velocity(state);
             *state = rigid.at_velocity(moved, pivots::admitted_velocity(model, index, &moved, velocity));
         })?;
-        self.repeat_on_companion(|companion| companion.set_pose(body, pose));
+        self.repeat_beside(|beside| beside.set_pose(body, pose));
         Ok(())
     }
 
@@ -178,7 +178,7 @@ impl Simulation {
             simulation.core.accounts.books.fields_changed(fields_before_j, fields_after_j);
             simulation.tier.interrupt(&mut simulation.core, &[added])
         })?;
-        self.repeat_on_companion(|companion| companion.add_body(again).map(|_| ()));
+        self.repeat_beside(|beside| beside.add_body(again.clone()).map(|_| ()));
         Ok(BodyId::new(index))
     }
 
@@ -200,7 +200,7 @@ impl Simulation {
             simulation.core.accounts.books.fields_changed(fields_before_j, fields_after_j);
             Ok(())
         })?;
-        self.repeat_on_companion(|companion| companion.remove_body(body));
+        self.repeat_beside(|beside| beside.remove_body(body));
         Ok(())
     }
 
@@ -249,7 +249,7 @@ impl Simulation {
             simulation.change_joint(probe.joints.pair_of_joint(number), fields_before_j);
             simulation.stop_at_joints(&together)
         })?;
-        self.repeat_on_companion(|companion| companion.add_joint(joint).map(|_| ()));
+        self.repeat_beside(|beside| beside.add_joint(joint).map(|_| ()));
         Ok(JointId::new(number))
     }
 
@@ -272,7 +272,7 @@ impl Simulation {
             simulation.change_joint(Some(pair), fields_before_j);
             Ok(())
         })?;
-        self.repeat_on_companion(|companion| companion.remove_joint(joint));
+        self.repeat_beside(|beside| beside.remove_joint(joint));
         Ok(())
     }
 

@@ -8,13 +8,16 @@
 //! | `actions` | what a program does to bodies and joints |
 //! | `steering` | kinematic bodies that a program steers |
 //! | `stability` | [`Stability`](crate::Stability): how far bodies at rest are from moving |
-//! | `accompany`, `companion` | a second run beside this one, to estimate the error of crowded stretches |
+//! | `accompany` | runs beside this one are begun, followed and compared with it, to estimate its error |
+//! | `beside` | how such a run begins: by which method, steps and states |
+//! | `restoring` | snapshots, and simulations that continue from them |
 //! | `singular_force` | the singular force that has made a run fail |
 
 mod accompany;
 mod actions;
-mod companion;
+mod beside;
 mod engines;
+mod restoring;
 pub(crate) mod simulation;
 mod singular_force;
 pub mod stability;

@@ -3,13 +3,15 @@
 use crate::accounting::Accounts;
 use crate::accounting::last_sample::LastSample;
 use crate::error::SimulationError;
+use crate::error_estimate::effort::ErrorEstimation;
+use crate::error_estimate::references::References;
 use crate::identity::body_id::BodyId;
 use crate::identity::joint_id::JointId;
-use crate::joints::{added, motors, released, turns};
+use crate::joints::motors;
 use crate::model::body_queries::BodyQueries;
 use crate::model::plane_of_motion::PlanarBodies;
 use crate::model::tolerances::SAME_TIME_RELATIVE;
-use crate::model::{Model, ModelBody};
+use crate::model::{Model, ModelBody, work};
 use crate::plan::decisions::{Findings, Plan};
 use crate::plan::free_method;
 use crate::plan::planar::{self, PlanarFinding};
@@ -19,13 +21,10 @@ use crate::report::joint_sample::{CoordinateSample, JointSample};
 use crate::report::momentum_ledger::Momentum;
 use crate::report::observer::{BodySample, Flow, Observer, Unobserved};
 use crate::report::run_report::{Energy, Outcome, PlanChange, RunReport};
-use crate::run::companion::Companion;
 use crate::run::stability::{self, Stability};
 use crate::run::{engines, singular_force, start_overlap};
 use crate::scene::effects::Effects;
-use crate::scene::{Coordinate, Integrator, Scene};
-use crate::snapshot::content::{self, Content};
-use crate::snapshot::{self, Snapshot, SnapshotError};
+use crate::scene::{Coordinate, Scene};
 use crate::tier::choice::{self, Candidate, TierChoice};
 use crate::tier::core::Core;
 use crate::tier::executor::{Executor, OneThread};
@@ -34,6 +33,7 @@ use crate::tier::sampling::{emit_sample, frame};
 use crate::tier::settings::Settings;
 use crate::tier::{Reached, Tier};
 use polhode_contact::QueryError;
+use polhode_dynamics::BodyState;
 use polhode_response::Memory;
 use std::sync::Arc;
 
@@ -86,17 +86,27 @@ impl StepOutcome {
 /// ```
 #[derive(Debug)]
 pub struct Simulation {
-    scene: Scene,
+    pub(super) scene: Scene,
     pub(crate) plan: Plan,
     pub(crate) core: Core,
     pub(crate) tier: Box<dyn Tier>,
     pub(crate) plan_changes: Vec<PlanChange>,
-    plan_at_start: Plan,
-    planar_at_start: PlanarBodies,
+    pub(super) plan_at_start: Plan,
+    pub(super) planar_at_start: PlanarBodies,
     /// Whether the end of the scene's duration has been reached.
-    ended: bool,
-    /// The run that estimates the error of stretches of crowded events.
-    pub(crate) companion: Companion<Self>,
+    pub(super) ended: bool,
+    /// The runs beside it, which estimate its error.
+    pub(super) references: References<Self>,
+}
+
+/// How a simulation begins.
+pub(super) struct Start {
+    /// When, s.
+    pub(super) t_s: f64,
+    pub(super) effects: Effects,
+    pub(super) settings: Settings,
+    /// Why this tier, in words.
+    pub(super) tier_reason: String,
 }
 
 impl Simulation {
@@ -144,12 +154,31 @@ impl Simulation {
 
     /// Prepares a simulation by this tier.
     fn in_tier(scene: &Scene, effects: Effects, tier: TierChoice) -> Result<Self, SimulationError> {
-        let mut settings = Settings::resolve(scene.method(), tier.tier);
-        let (mut model, mut states) = Model::new(scene, settings.pivot_rows(effects))?;
+        let settings = Settings::resolve(scene.method(), tier.tier);
+        let (model, mut states) = Model::new(scene, settings.pivot_rows(effects))?;
         if let Some(error) = singular_force::not_finite(&model, 0.0, &states) {
             return Err(error);
         }
         let separated = start_overlap::judge(&model, &settings, &mut states)?;
+        let start = Start { t_s: 0.0, effects, settings, tier_reason: tier.reason };
+        let mut simulation = Self::begin(scene, (model, states), start)?;
+        for what in separated.into_iter().chain(scene.warnings()) {
+            simulation.core.accounts.warn(0.0, what);
+        }
+        simulation.references = References::new(ErrorEstimation::default());
+        Ok(simulation)
+    }
+
+    /// A simulation that begins with these states of a model of the scene, and no references.
+    ///
+    /// # Errors
+    /// When contacts or forces of the first instant cannot be found.
+    pub(super) fn begin(
+        scene: &Scene,
+        (mut model, mut states): (Model, Vec<BodyState>),
+        start: Start,
+    ) -> Result<Self, SimulationError> {
+        let Start { t_s, effects, mut settings, tier_reason } = start;
         let choice = free_method::choose(&model, &states, &settings);
         settings.integrator = choice.integrator;
         let planar = match effects {
@@ -157,18 +186,17 @@ impl Simulation {
             Effects::All => PlanarFinding::off("the run simulates all effects: every body moves in space"),
         };
         model.confine_to_plane(planar.planar.clone(), &mut states);
+        model.work.add(work::OF_BEGINNING + states.len() * work::OF_STEP);
         let accounts = Accounts::open(&model, &states, settings.promise);
         let (memory, last_sample) = (Memory::default(), LastSample::default());
         let executor = Arc::new(OneThread);
-        let stated_depth_m = f64::INFINITY;
+        let (t, stated_depth_m) = (t_s, f64::INFINITY);
         let mut core =
-            Core { model, settings, effects, t: 0.0, accounts, memory, executor, stated_depth_m, last_sample };
-        for what in separated.into_iter().chain(scene.warnings()) {
-            core.accounts.warn(0.0, what);
-        }
+            Core { model, settings, effects, t, accounts, memory, executor, stated_depth_m, work: 0, last_sample };
         let engine = engines::begun(&mut core, states)?;
+        core.work = core.model.work.total();
         let touching_pairs = engine.touching_pairs();
-        let findings = Findings { t_s: 0.0, touching_pairs, tier_reason: tier.reason, choice, planar };
+        let findings = Findings { t_s, touching_pairs, tier_reason, choice, planar };
         let plan = Plan::derive(&core.model, &settings, effects, &findings);
         Ok(Self {
             scene: scene.clone(),
@@ -179,7 +207,7 @@ impl Simulation {
             tier: engine,
             plan_changes: Vec::new(),
             ended: false,
-            companion: Companion::None,
+            references: References::default(),
         })
     }
 
@@ -275,13 +303,16 @@ impl Simulation {
     }
 
     /// Advances to a limit of time (s) or to the first event before it.
-    fn advance(&mut self, limit: f64, observer: &mut dyn Observer) -> Result<StepOutcome, SimulationError> {
+    pub(super) fn advance(&mut self, limit: f64, observer: &mut dyn Observer) -> Result<StepOutcome, SimulationError> {
+        self.begin_references();
         if self.core.accounts.is_unsampled() {
             let (t, states) = (self.core.t, self.tier.states(&self.core));
             emit_sample(&*self.tier, &mut self.core, &states, t, observer)?;
         }
         let in_plane = self.core.model.planar.bodies().count();
+        let before = self.core.model.work.total();
         let reached = self.tier.advance(&mut self.core, limit, observer);
+        self.core.work += self.core.model.work.total() - before;
         let reached =
             reached.map_err(|error| singular_force::explained(error, &self.core, &self.tier.states(&self.core)))?;
         if self.core.model.planar.bodies().count() != in_plane {
@@ -294,7 +325,7 @@ impl Simulation {
             self.core.accounts.observe(&self.core.model, &states, t)?;
             emit_sample(&*self.tier, &mut self.core, &states, t, observer)?;
         }
-        self.accompany();
+        self.follow();
         let end = if reached == Reached::Event { StepEnd::Event } else { StepEnd::Planned };
         Ok(StepOutcome { t_s: t, end })
     }
@@ -474,98 +505,6 @@ impl Simulation {
         BodyQueries::new(&self.core.model, &self.tier.states(&self.core))
     }
 
-    /// A snapshot: everything from which [`Simulation::restore`] continues the run with the same bits.
-    ///
-    /// It holds a hash of the scene, not the scene itself.
-    pub fn snapshot(&self) -> Snapshot {
-        Snapshot::new(self.content())
-    }
-
-    /// The content of a snapshot.
-    pub(crate) fn content(&self) -> Content {
-        let change = |change: &PlanChange| content::PlanChange {
-            t_s: change.t_s,
-            action: change.action.clone(),
-            changes: change.changes.clone(),
-        };
-        Content {
-            scene: self.scene.name().to_owned(),
-            scene_hash: snapshot::scene_hash(added::scene_and_joints(&self.core.model)),
-            all_effects: self.core.effects == Effects::All,
-            t: self.core.t,
-            ended: self.ended,
-            applied: self.core.model.forces.applied(),
-            steered: self.core.model.steered(),
-            motors: self.core.model.joints.motors(),
-            released: self.core.model.joints.released.keys().copied().collect(),
-            turns: self.core.model.joints.turns(),
-            in_plane: self.core.model.planar.bodies().collect(),
-            integrator: self.core.settings.integrator.name().to_owned(),
-            plan: self.plan.save(&self.plan_at_start),
-            plan_changes: self.plan_changes.iter().map(change).collect(),
-            accounts: self.core.accounts.save(),
-            tier: self.tier.save(),
-            companion: self.companion.save(),
-        }
-    }
-
-    /// Restores a snapshot of a simulation of the same scene, with the same effects, the same bodies added and
-    /// removed, and the same joints added. The motion, samples, events and report that follow have the same bits as
-    /// those that followed the snapshot. The scene may have another duration: a run that has ended goes on to a longer
-    /// one.
-    ///
-    /// # Errors
-    /// When the snapshot is of another scene or other effects, or contradicts itself; the simulation is then as it was.
-    pub fn restore(&mut self, snapshot: &Snapshot) -> Result<(), SimulationError> {
-        let content = snapshot.content_for(added::scene_and_joints(&self.core.model), self.core.effects)?;
-        let companion = self.restored_companion(&content.companion)?;
-        *self = Self { companion, ..self.twin(content, self.core.settings)? };
-        Ok(())
-    }
-
-    /// The simulation of the same scene, with these settings, that continues from this content. It is a companion.
-    ///
-    /// # Errors
-    /// When the content contradicts itself.
-    pub(crate) fn twin(&self, content: &Content, mut settings: Settings) -> Result<Self, SimulationError> {
-        let mut model = self.core.model.clone();
-        model.replace_applied(&content.applied)?;
-        model.replace_steered(&content.steered)?;
-        // Joints that have let go have motors too.
-        released::replace_released(&mut model, &[])?;
-        motors::replace_motors(&mut model, &content.motors)?;
-        released::replace_released(&mut model, &content.released)?;
-        turns::replace_turns(&mut model, &content.turns)?;
-        model.planar = self.planar_at_start.restored(&content.in_plane);
-        settings.integrator = Integrator::from_name(&content.integrator)
-            .map_err(|_| SnapshotError::Invalid("it names an integrator that does not exist"))?;
-        let plan = self.plan_at_start.restored(content.plan.as_ref(), settings.integrator)?;
-        let accounts = Accounts::restored(&content.accounts, model.bodies.len(), settings.promise)?;
-        let memory = Memory::default();
-        let (executor, last_sample) = (self.core.executor.clone(), LastSample::default());
-        let (effects, t, stated_depth_m) = (self.core.effects, content.t, f64::INFINITY);
-        let mut core = Core { model, settings, effects, t, accounts, memory, executor, stated_depth_m, last_sample };
-        let tier = engines::restored(&mut core, &content.tier)?;
-        // A scene with a longer duration goes on.
-        let ended = content.ended && core.t >= self.scene.duration_s();
-        let change = |change: &content::PlanChange| PlanChange {
-            t_s: change.t_s,
-            action: change.action.clone(),
-            changes: change.changes.clone(),
-        };
-        Ok(Self {
-            scene: self.scene.clone(),
-            plan,
-            core,
-            tier,
-            plan_changes: content.plan_changes.iter().map(change).collect(),
-            plan_at_start: self.plan_at_start.clone(),
-            planar_at_start: self.planar_at_start.clone(),
-            ended,
-            companion: Companion::Itself,
-        })
-    }
-
     /// The report of the run up to the present, which goes on: its ledgers, its certificate and its warnings.
     ///
     /// # Errors
@@ -576,18 +515,9 @@ impl Simulation {
 
     /// The report of the run up to the present.
     fn report(&mut self, outcome: Outcome) -> Result<RunReport, SimulationError> {
-        self.bring_companion();
         let mut accounts = self.core.accounts.clone();
-        if let Companion::Lost(reason) = &self.companion {
-            accounts.warn(
-                self.core.t,
-                format!(
-                    "the error of stretches of crowded events is not known: the run that estimates it ended: {reason}"
-                ),
-            );
-        }
-        let crowding_error = self.crowding_error();
-        if let Some(unknown) = crowding_error.and_then(|error| self.unknown_motion(&error)) {
+        let error = self.error();
+        if let Some(unknown) = self.unknown_motion(&error) {
             accounts.warn(self.core.t, unknown);
         }
         self.tier.book_present(&self.core, &mut accounts)?;
@@ -605,7 +535,7 @@ impl Simulation {
             broken: Vec::new(),
             warnings: Vec::new(),
             crowded: Vec::new(),
-            crowding_error,
+            error,
             plan_changes: self.plan_changes.clone(),
             tolerated: Vec::new(),
             choices: Vec::new(),

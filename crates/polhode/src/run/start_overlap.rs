@@ -35,11 +35,7 @@ pub(crate) fn judge(
         return Err(SceneError::InitialOverlap(found).into());
     }
     let (count, depth_m) = (found.len(), deepest.depth_m);
-    let movable: Vec<usize> = (0..states.len()).filter(|&body| model.bodies[body].moves()).collect();
-    let pairs = near_pairs(model, settings, states)?;
-    let solvers = &mut Memory::default();
-    let removed = Overlaps::find(model, states, &pairs).remove(model, states, (&movable, &pairs), solvers);
-    let moved_m = removed.map_err(|source| SimulationError::of_response(0.0, source))?.moved_m;
+    let moved_m = move_apart(model, settings, (0.0, states))?;
     let left = overlaps(model, settings, states)?;
     if !left.is_empty() {
         return Err(SceneError::InitialOverlap(left).into());
@@ -51,6 +47,22 @@ pub(crate) fn judge(
         length(moved_m)
     );
     Ok(Some(what))
+}
+
+/// Moves bodies apart that overlap at `t` (s). Returns by how much at most, m.
+///
+/// # Errors
+/// When they cannot be separated.
+pub(super) fn move_apart(
+    model: &Model,
+    settings: &Settings,
+    (t, states): (f64, &mut [BodyState]),
+) -> Result<f64, SimulationError> {
+    let movable: Vec<usize> = (0..states.len()).filter(|&body| model.bodies[body].moves()).collect();
+    let pairs = near_pairs(model, settings, states)?;
+    let solvers = &mut Memory::default();
+    let removed = Overlaps::find(model, states, &pairs).remove(model, states, (&movable, &pairs), solvers);
+    removed.map(|removed| removed.moved_m).map_err(|source| SimulationError::of_response(t, source))
 }
 
 /// Pairs that overlap by more than counts as touch, in the order of the scene.

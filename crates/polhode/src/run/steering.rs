@@ -87,7 +87,7 @@ impl Simulation {
             simulation.tier.states_mut()[index] = state;
             simulation.take_along(&driven)
         })?;
-        self.repeat_on_companion(|companion| companion.set_motion(body, steering));
+        self.repeat_beside(|beside| beside.set_motion(body, steering));
         Ok(())
     }
 

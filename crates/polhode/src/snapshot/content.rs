@@ -5,6 +5,10 @@
 
 use super::numbers::{Contact, Kinematics, State, Vector};
 use super::springs::Penalty;
+use crate::error_estimate::course::Course;
+use crate::error_estimate::effort::ErrorEstimation;
+use crate::model::plane_of_motion::PlanarParts;
+use crate::report::run_error::{BodyError, ReferenceKind};
 use serde::{Deserialize, Serialize};
 
 /// A simulation at a time.
@@ -37,7 +41,9 @@ pub(crate) struct Content {
     pub(crate) plan_changes: Vec<PlanChange>,
     pub(crate) accounts: Accounts,
     pub(crate) tier: Tier,
-    pub(crate) companion: Companion,
+    /// Units of work that the motion so far has cost.
+    pub(crate) work: u64,
+    pub(crate) error: ErrorEstimate,
 }
 
 /// A motion that a program has given a kinematic body.
@@ -65,15 +71,41 @@ pub(crate) struct Motor {
     pub(crate) drive: Option<(Vec<f64>, f64)>,
 }
 
-/// The companion run that estimates the error of stretches of crowded events.
+/// The estimated error of a run, and the runs beside it.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub(crate) enum Companion {
-    /// None is needed so far.
-    None,
-    /// It runs beside the run.
-    Beside(Box<Content>),
-    /// It has ended, for this reason.
-    Lost(String),
+pub(crate) struct ErrorEstimate {
+    pub(crate) effort: ErrorEstimation,
+    pub(crate) start: Option<StartOfRun>,
+    pub(crate) course: Course,
+    pub(crate) running: Vec<Reference>,
+}
+
+/// The content of a run beside a run, and the plane of its planar bodies at its start.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(crate) struct RunBeside {
+    pub(crate) content: Box<Content>,
+    pub(crate) planar: Option<PlanarParts>,
+}
+
+/// Where references that begin with the run begin.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(crate) struct StartOfRun {
+    pub(crate) t_s: f64,
+    pub(crate) states: Vec<State>,
+    pub(crate) rested: Vec<bool>,
+}
+
+/// A run beside a run.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(crate) struct Reference {
+    pub(crate) kind: ReferenceKind,
+    pub(crate) run: RunBeside,
+    /// The run with which a disturbed one is compared.
+    pub(crate) partner: Option<RunBeside>,
+    pub(crate) begun_s: f64,
+    pub(crate) is_whole: bool,
+    pub(crate) base: Vec<BodyError>,
+    pub(crate) since: Vec<BodyError>,
 }
 
 /// The parts of a [`crate::Plan`] that actions of a program may change, besides the integrator.
@@ -159,7 +191,6 @@ pub(crate) struct Certificate {
     pub(crate) max_penetration_m: f64,
     pub(crate) max_acceleration_error_bound: Option<f64>,
     pub(crate) max_step_error: Option<f64>,
-    pub(crate) estimated_error: Option<f64>,
     pub(crate) factorisations: u64,
     pub(crate) fallbacks: u64,
 }
@@ -485,8 +516,6 @@ pub(crate) struct Stepped {
     pub(crate) touching: Vec<(usize, usize)>,
     pub(crate) forces: Vec<(Contact, f64)>,
     pub(crate) islands: Vec<Vec<usize>>,
-    /// Estimated errors of the bodies: of position (m) and velocity (m/s), and their deepest overlap (m).
-    pub(crate) errors: Vec<[f64; 3]>,
     /// Friction of the contacts of `forces`, N.
     pub(crate) friction: Vec<[f64; 3]>,
     /// What the joints bore in the last step, N and N m, by their numbers; none before the first one.
@@ -615,8 +644,6 @@ pub(crate) struct PatchPoint {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Thesis {
     pub(crate) states: Vec<State>,
-    /// As those of the tier `stepped`.
-    pub(crate) errors: Vec<[f64; 3]>,
     pub(crate) resting: Vec<(Contact, f64)>,
     pub(crate) touching_pairs: usize,
     /// The variables from which the integrator continues.

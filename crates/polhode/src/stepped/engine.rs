@@ -31,7 +31,6 @@ use crate::snapshot::{SnapshotError, content};
 use crate::solve::contradiction::refuse_contradictions;
 use crate::solve::held_at_rest::HeldAtRest;
 use crate::tier::core::Core;
-use crate::tier::error_estimate::{EVERY, ErrorEstimate};
 use crate::tier::sampling::emit_samples_before;
 use crate::tier::{Reached, Tier};
 use crate::time_stepping::{MOST_TIMES, NO_WORK_J, TimeStepper, given_by_gravity};
@@ -49,6 +48,9 @@ const MOST_IMPACTS_OF_STEP: u32 = 32;
 /// When accelerations are asked for, a contact counts as resting if its rate of separation is at most the speed that
 /// gravity gives a body in this many steps.
 const RESTING_STEPS: f64 = 2.0;
+
+/// In every so many steps bodies that hardly move come to rest.
+const SETTLES_EVERY: u64 = 8;
 
 /// The mean force of a contact over a step, on body A.
 #[derive(Debug, Clone, Copy, Default)]
@@ -83,8 +85,6 @@ pub(crate) struct SteppedEngine {
     forces: BTreeMap<ContactId, MeanForce>,
     /// Mean loads of the joints over the last step; none before the first one.
     pub(super) loads: Option<BTreeMap<usize, JointView>>,
-    /// Estimated errors of the bodies.
-    pub(super) errors: ErrorEstimate,
     /// Bodies of each island of the last step.
     islands: Vec<Vec<usize>>,
     pub(super) resting: Resting,
@@ -125,7 +125,6 @@ impl SteppedEngine {
     fn unbegun(core: &Core, states: Vec<BodyState>) -> Self {
         let about = core.accounts.books.ledger.momentum.about;
         Self {
-            errors: ErrorEstimate::new(states.len()),
             resting: Resting::none(states.len()),
             flights: vec![None; states.len()],
             states,
@@ -177,7 +176,6 @@ impl SteppedEngine {
         };
         engine.forces = normal.into_iter().zip(&saved.friction).map(force).collect();
         engine.loads = saved.loads.as_ref().map(|loads| restored_loads(loads));
-        engine.errors = ErrorEstimate::restored(&saved.errors, bodies)?;
         engine.islands.clone_from(&saved.islands);
         engine.resting = Resting::restored(saved.resting.clone());
         (engine.grid, engine.begun) = (saved.grid, saved.begun);
@@ -204,7 +202,6 @@ impl SteppedEngine {
         self.emit_samples_within(core, &islands, t_next, observer)?;
         let begin = self.states.clone();
         let Advanced { resting, islands, reports } = self.advance_all(core, pairs, interval)?;
-        self.compare_with_halves(core, &begin, (&islands, &reports), interval)?;
         // Islands that were advanced in copies have left them where they were.
         prescribed::prescribe(&core.model, t_next, &mut self.states);
         self.fly(core, t_next);
@@ -230,7 +227,7 @@ impl SteppedEngine {
         turns::count_all_turns(&mut core.model, &self.states)?;
         core.t = t_next;
         let before = std::mem::replace(&mut self.touching, touching);
-        if core.accounts.steps().is_multiple_of(EVERY) {
+        if core.accounts.steps().is_multiple_of(SETTLES_EVERY) {
             for (island, report) in islands.iter().zip(&reports).filter(|(_, report)| !report.at_rest) {
                 let settled = self.settle(core, island, &report.touching, h);
                 settled.map_err(|source| SimulationError::of_response(core.t, source))?;
@@ -238,8 +235,6 @@ impl SteppedEngine {
         }
         self.loads = Some(loads);
         self.break_overloaded(core, &breaking)?;
-        self.errors.go_on(&core.model, &self.states, h);
-        core.accounts.certificate.estimated_error = Some(self.errors.largest(&core.model));
         core.accounts.count_step();
         self.report_pairs(core, &before);
         core.accounts.emit_events(core.t, observer);
@@ -644,7 +639,6 @@ impl Tier for SteppedEngine {
     fn add_body(&mut self, core: &Core, state: BodyState) {
         self.states.push(state);
         self.flights.push(None);
-        self.errors.add_body();
         self.resting.add_body();
         self.search = IslandSearch::new(&core.model, core.settings.broad_phase.build());
     }
@@ -679,7 +673,6 @@ impl Tier for SteppedEngine {
             forces: self.forces.iter().map(|(&id, force)| (save_contact(id), force.normal)).collect(),
             friction: self.forces.values().map(|force| force.friction.to_array()).collect(),
             loads: self.loads.as_ref().map(saved_loads),
-            errors: self.errors.save(),
             islands: self.islands.clone(),
             resting: self.resting.save(),
             grid: self.grid,

@@ -38,6 +38,8 @@ pub(crate) const FACTS: TierFacts = TierFacts {
     own_response: None,
     flight: FlightRecords::All,
     order: ErrorOrder::Fixed(ORDER_OF_TIME_STEPS),
+    second_opinion: Tier::Accurate,
+    cheap: Tier::Fast,
     promise: PROMISE,
     remedy: "a shorter method.step would help, or method.tier = \"accurate\"",
     features: &[

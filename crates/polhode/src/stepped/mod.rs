@@ -13,7 +13,6 @@
 //! | `engine` | a run, one step of it, and queries at the present |
 //! | `islands` | the islands of a step |
 //! | `island_steps` | their time steps, on the threads that the program gives |
-//! | `comparison` | the steps that are compared with two of half their length |
 //! | `joint_breaks` | what joints bear at the present, and those that break at the end of a step |
 //! | `rest` | islands that rest and are left out |
 //! | `saved_loads` | the loads of joints over the last step as plain data |
@@ -22,7 +21,6 @@
 //! | `track_ends` | bodies that run off the ends of their tracks |
 //! | `unexpected` | pairs of bodies that met within a step although they were not expected to |
 
-mod comparison;
 mod engine;
 pub(crate) mod facts;
 mod instant_forces;

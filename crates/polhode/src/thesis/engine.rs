@@ -25,7 +25,6 @@ use crate::snapshot::{SnapshotError, content};
 use crate::solve::impact::{impulse_event, strike_group};
 use crate::solve::reactions::support;
 use crate::tier::core::Core;
-use crate::tier::error_estimate::{EVERY, ErrorEstimate};
 use crate::tier::fixed_steps::{Continues, SteppedBodies, accelerations_under, contacts_within, next_step_end};
 use crate::tier::free_stage::{self, Ends};
 use crate::tier::sampling::emit_samples_before;
@@ -57,8 +56,6 @@ pub(crate) struct ThesisEngine {
     loaded: LoadedBodies,
     /// Forces of the resting contacts in the last step, N.
     resting: Vec<(ContactId, f64)>,
-    /// Estimated errors of the bodies.
-    errors: ErrorEstimate,
 }
 
 impl ThesisEngine {
@@ -67,12 +64,8 @@ impl ThesisEngine {
     /// # Errors
     /// When there are more bodies than the broad phase can number.
     pub(crate) fn new(core: &Core, states: Vec<BodyState>) -> Result<Self, SimulationError> {
-        let mut engine = Self {
-            loaded: LoadedBodies::default(),
-            resting: Vec::new(),
-            errors: ErrorEstimate::new(states.len()),
-            bodies: SteppedBodies::new(core, states),
-        };
+        let mut engine =
+            Self { loaded: LoadedBodies::default(), resting: Vec::new(), bodies: SteppedBodies::new(core, states) };
         engine.bodies.detect(core, TOUCH)?;
         Ok(engine)
     }
@@ -87,7 +80,6 @@ impl ThesisEngine {
         Ok(Self {
             loaded: LoadedBodies::default(),
             resting: crate::snapshot::parts::restored_forces(&core.model, &saved.resting)?,
-            errors: ErrorEstimate::restored(&saved.errors, bodies.states.len())?,
             bodies,
         })
     }
@@ -100,15 +92,13 @@ impl ThesisEngine {
         let loads = loads(core, &self.bodies.states, &resting);
         self.resting = resting.touches.iter().map(|touch| touch.id).zip(resting.forces.iter().copied()).collect();
 
-        let compares = core.accounts.steps().is_multiple_of(EVERY);
-        let halves = if compares { Some(self.in_two_halves(core, &loads, t_next - core.t)?) } else { None };
         self.integrate(core, loads.clone(), t_next - core.t)?;
         self.emit_samples_within(core, t_next, observer)?;
         let movable = core.model.movable.clone();
         let before = core.accounts.books.balance(&core.model, &self.bodies.states, &movable);
         let ends = self.bodies.all_states(core, self.bodies.integrator.states(), t_next);
         let received = self.received(core, &resting, &loads, &ends, t_next);
-        self.note_errors(core, &ends, halves.as_deref(), t_next - core.t);
+        self.note_movements(core, &ends, t_next - core.t);
         self.bodies.states = ends;
         let after = core.accounts.books.balance(&core.model, &self.bodies.states, &movable);
         core.accounts.books.smooth_stage(before, after, received);
@@ -117,42 +107,23 @@ impl ThesisEngine {
         core.accounts.observe(&core.model, &self.bodies.states, core.t)?;
         let touches = self.bodies.detect(core, TOUCH)?;
         for touch in &touches {
-            self.errors.overlap((touch.id.a, touch.id.b), -touch.kinematics.geometry.separation);
             core.note_contact(core.t, &self.bodies.states, (touch.id.a, touch.id.b), &touch.kinematics);
         }
-        core.accounts.certificate.estimated_error = Some(self.errors.largest(&core.model));
         if core.settings.response == Response::ImpulseProjection {
             move_apart(core, &mut self.bodies.states, &touches);
         }
         Ok(())
     }
 
-    /// States of all bodies after two steps of half the length `h` (s) under the same loads.
-    fn in_two_halves(&self, core: &Core, loads: &[Wrench], h: f64) -> Result<Vec<BodyState>, SimulationError> {
-        let loaded = LoadedBodies::new(core.model.forces.shared_fields(), loads.to_vec());
-        let motion = loaded.motion(core.model.free_motion().bodies(), core.model.gravity());
-        let mut integrator = core.settings.build_integrator();
-        integrator.start(&motion, core.t, &core.model.movable_states(&self.bodies.states));
-        for _ in 0..2 {
-            let step = integrator.step(&motion, 0.5 * h);
-            step.map_err(|source| SimulationError::Integration { t_s: core.t, source })?;
-        }
-        Ok(self.bodies.all_states(core, integrator.states(), core.t + h))
-    }
-
-    /// Records how far the bodies move in a step of `h` (s) to `ends`, and its estimated error.
-    fn note_errors(&mut self, core: &mut Core, ends: &[BodyState], halves: Option<&[BodyState]>, h: f64) {
+    /// Records how far the bodies move in a step of `h` (s) to `ends`.
+    fn note_movements(&self, core: &mut Core, ends: &[BodyState], h: f64) {
         let model = &core.model;
         for &body in model.movable.iter().filter(|&&body| model.bodies[body].moves()) {
-            if let Some(halves) = halves {
-                self.errors.compare(model, body, (&ends[body], &halves[body]), EVERY);
-            }
             if model.bodies[body].shape.is_some() {
                 let movement = Movement::between(model, body, (&self.bodies.states[body], &ends[body]), (core.t, h));
                 core.accounts.measures.long_steps.note(movement);
             }
         }
-        self.errors.go_on(model, ends, h);
     }
 
     /// Applies impulses, one contact after the other, until no contact approaches.
@@ -348,7 +319,6 @@ impl Tier for ThesisEngine {
     }
 
     fn add_body(&mut self, core: &Core, state: BodyState) {
-        self.errors.add_body();
         self.bodies.add_body(core, state);
     }
 
@@ -363,7 +333,6 @@ impl Tier for ThesisEngine {
     fn save(&self) -> content::Tier {
         content::Tier::Thesis(content::Thesis {
             states: self.bodies.save_states(),
-            errors: self.errors.save(),
             resting: self.resting.iter().map(|&(id, force)| (save_contact(id), force)).collect(),
             touching_pairs: self.bodies.touching_pairs,
             integrator: self.bodies.integrator.save(),

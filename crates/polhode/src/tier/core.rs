@@ -29,6 +29,8 @@ pub(crate) struct Core {
     pub(crate) executor: Arc<dyn Executor>,
     /// The overlap that springs or the collision envelope are made for, m; infinite in a run without them.
     pub(crate) stated_depth_m: f64,
+    /// Units of work that the motion so far has cost (`crate::model::work`), without queries.
+    pub(crate) work: u64,
     /// The overlaps of the last sample, as a cache.
     pub(crate) last_sample: LastSample,
 }

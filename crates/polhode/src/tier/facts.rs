@@ -3,7 +3,7 @@
 //! Each tier has one value of [`TierFacts`] in a folder of its own, and `list.rs` lists them. All other files read them
 //! and name no kind of tier: whoever adds a tier adds a folder, its line there, and its name in `scene/tiers.rs`.
 
-use crate::scene::{ContactMethod, ImpactLaw, Integrator, Promise, Response};
+use crate::scene::{ContactMethod, ImpactLaw, Integrator, Promise, Response, Tier};
 
 /// Upper bound of a step under error control when none is given, s.
 pub(crate) const LONGEST_STEP_S: f64 = 0.01;
@@ -43,6 +43,10 @@ pub struct TierFacts {
     pub flight: FlightRecords,
     /// How its error falls with the step.
     pub order: ErrorOrder,
+    /// The tier by which a run is computed again to estimate its error.
+    pub second_opinion: Tier,
+    /// The tier by which two runs tell cheaply how a motion amplifies small differences.
+    pub cheap: Tier,
     /// What it promises at its default tolerance.
     pub promise: Promise,
     /// What would help where a run does not keep it, in words.
@@ -146,6 +150,6 @@ pub enum TierFeature {
     PlanarGroups,
     /// Trees of joints in the coordinates of the joints.
     ReducedCoordinates,
-    /// Stretches of crowded events, advanced by time steps whose error a companion run estimates.
+    /// Stretches of crowded events, advanced by time steps whose error is controlled.
     CrowdedStretches,
 }

@@ -8,7 +8,7 @@ use crate::collision::contact_set;
 use crate::collision::touch::Touch;
 use crate::error::SimulationError;
 use crate::identity::body_id::BodyId;
-use crate::model::{ModelBody, prescribed, reported, tolerances};
+use crate::model::{ModelBody, prescribed, reported, tolerances, work};
 use crate::report::acceleration::Acceleration;
 use crate::report::frame::{IslandView, MotionKind};
 use crate::rows::assembly::free_acceleration;
@@ -86,6 +86,7 @@ impl SteppedBodies {
         (h, continues): (f64, Continues),
     ) -> Result<(), SimulationError> {
         let states = core.model.movable_states(&self.states);
+        core.model.work.add(states.len() * work::OF_BODY);
         if continues == Continues::Anew || self.integrator.states() != states {
             self.integrator.start(motion, core.t, &states);
         }

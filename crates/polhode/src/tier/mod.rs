@@ -16,7 +16,6 @@
 //! | `joint_samples` | the joints of a simulation at one time |
 //! | `sampling` | samples and frames between two events |
 //! | `sample_penetration` | penetration of samples, measured by the distance of shapes |
-//! | `error_estimate` | the estimated error of a run by fixed steps |
 //! | `fixed_steps` | what tiers of fixed steps share |
 //! | `free_stage` | impulse and work of fields over a step of an integrator |
 //! | `smooth_rates` | rates of flat states without contact forces |
@@ -24,7 +23,6 @@
 pub(crate) mod choice;
 mod coordinates;
 pub(crate) mod core;
-pub(crate) mod error_estimate;
 pub(crate) mod executor;
 pub(crate) mod facts;
 pub(crate) mod fixed_steps;
@@ -172,10 +170,4 @@ pub(crate) trait Tier: std::fmt::Debug + Send {
 
     /// The data from which the tier continues, for a snapshot.
     fn save(&self) -> content::Tier;
-
-    /// The same data for a companion run (`accompany.rs`), whose next time steps in stretches of crowded events are
-    /// longer by `factor` (no unit).
-    fn save_with_longer_steps(&self, _factor: f64) -> content::Tier {
-        self.save()
-    }
 }

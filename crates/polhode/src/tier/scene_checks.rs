@@ -45,6 +45,17 @@ impl Scene {
         self.check_counts()
     }
 
+    /// Checks that the scene suits its method: a run beside a run by another method.
+    ///
+    /// # Errors
+    /// As [`SceneBuilder::build`].
+    pub(crate) fn check_method(&self) -> Result<(), SceneError> {
+        self.check_times()?;
+        self.check_coordinates()?;
+        self.check_surfaces()?;
+        self.check_springs_in(self.method.named_tier().unwrap_or_default())
+    }
+
     /// Takes a joint that a program adds to a simulation by this tier, between bodies as they are then. Returns it at
     /// its place: of a track on it.
     ///

@@ -59,7 +59,7 @@ pub(crate) struct Settings {
     /// Error of a stretch of crowded events per longest step, relative to the size of each body.
     pub(crate) crowding_tolerance: f64,
     /// How many times longer the time steps of stretches of crowded events are than those of the run: 1, or more in a
-    /// companion run that estimates their error (`accompany.rs`).
+    /// run beside it that estimates their error (`crate::run::beside`).
     pub(crate) crowd_step_factor: f64,
 }
 

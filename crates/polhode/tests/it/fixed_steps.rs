@@ -241,7 +241,7 @@ fn a_step_that_is_too_long_is_told() {
     let warned = report.warnings.iter().any(|said| said.contains("box") && said.contains("would do"));
     assert!(warned, "{:?}", report.warnings);
     assert_eq!(report.outcome, Outcome::Degraded, "{:?}", report.certificate);
-    assert!(report.certificate.estimated_error.unwrap() > 1e-3, "{:?}", report.certificate);
+    assert!(report.error.relative().unwrap() > 1e-3, "{:?}", report.certificate);
     let certificate = report.certificate;
     if report.ledger.projection.value() != 0.0 {
         assert!(certificate.max_projection_m > 0.0 && certificate.max_penetration_m > 0.0, "{certificate:?}");
@@ -262,7 +262,7 @@ fn the_estimated_error_holds() {
         let [a, b] = [&found, &finer].map(|report| report.bodies[0].state.pose.translation);
         // The size of the body is twice its largest radius of gyration.
         let size = 2.0 * 0.4f64.sqrt();
-        let (error, estimate) = ((a - b).length() / size, found.certificate.estimated_error.unwrap());
+        let (error, estimate) = ((a - b).length() / size, found.error.relative().unwrap());
         assert!(error > 0.0 && estimate > 0.1 * error, "{step}: {error:e} {estimate:e}");
     }
 }

@@ -158,7 +158,7 @@ fn pile_in_a_steered_bin_stays_in_it() {
         }
     }
     let report = whole.run().unwrap();
-    assert!(!report.crowded.is_empty() && report.crowding_error.is_some(), "{:?}", report.warnings);
+    assert!(!report.crowded.is_empty() && report.error.largest.is_some(), "{:?}", report.warnings);
     assert!(report.certificate.max_penetration_of_limit <= 1.0, "{:?}", report.certificate);
     assert_eq!(report.ledger, resumed.run().unwrap().ledger);
     assert_eq!(whole.bodies(), resumed.bodies());

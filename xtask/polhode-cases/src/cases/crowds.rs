@@ -14,7 +14,7 @@ use polhode::contact::Shape;
 use polhode::mesh::{Cone, Cylinder, Primitive, solid_box};
 use polhode::scene::{Material, Method};
 use polhode::spatial::{Mass, Pose, Rotation, UnitVector, Velocity};
-use polhode::{Body, BodySample, CrowdingError, Observer, Outcome, ReportedBody, RunReport, Scene, Simulation};
+use polhode::{Body, BodySample, Observer, Outcome, ReportedBody, RunReport, Scene, Simulation};
 use polhode_oracles::random::Random;
 use std::error::Error;
 
@@ -335,11 +335,11 @@ pub(super) fn estimates(context: &Context) -> CaseResult {
             continue;
         }
         crowded += 1;
-        let Some(estimate) = report.crowding_error else {
+        if report.error.bodies.is_empty() {
             unknown += 1;
             continue;
-        };
-        let ratio = ratio(&scene, &report, &estimate)?;
+        }
+        let ratio = ratio(&scene, &report)?;
         held += u64::from(ratio <= 1.0);
         worst = worst.max(ratio);
     }
@@ -353,12 +353,13 @@ pub(super) fn estimates(context: &Context) -> CaseResult {
 }
 
 /// The error of a run, in estimates of it.
-fn ratio(scene: &Scene, report: &RunReport, estimate: &CrowdingError) -> Result<f64, Box<dyn Error>> {
+fn ratio(scene: &Scene, report: &RunReport) -> Result<f64, Box<dyn Error>> {
     let method = Method { crowding_tolerance: Some(TOLERANCE / FINER), ..scene.method().clone() };
     let finer = run(&scene.clone().with_method(method), &mut polhode::Unobserved)?;
     let error_m = |(own, finer): (&ReportedBody, &ReportedBody)| {
         (own.state.pose.translation - finer.state.pose.translation).length()
     };
     let error = report.bodies.iter().zip(&finer.bodies).map(error_m).fold(0.0, f64::max);
-    Ok(error / estimate.position_m.max(SMALLEST_ERROR_M))
+    let estimate = report.error.bodies.iter().map(|error| error.position_m).fold(SMALLEST_ERROR_M, f64::max);
+    Ok(error / estimate)
 }

@@ -18,7 +18,7 @@ use glam::DVec3;
 use polhode::contact::Shape;
 use polhode::mesh::{Capsule, Cone, Cylinder, Primitive, Torus};
 use polhode::spatial::{Mass, Pose, Rotation, UnitVector};
-use polhode::{Body, Effects, EventKind, Recorder, Scene, Simulation};
+use polhode::{Body, Effects, ErrorEstimation, EventKind, Recorder, Scene, Simulation};
 use std::error::Error;
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -170,7 +170,7 @@ pub(super) fn times(_: &Context) -> CaseResult {
             let case = "falling shapes";
             let scene = Scene::builder("fall").body(floor).body(falling.body()?).duration_s(1.02 * expected).build()?;
             let mut record = Recorder::default();
-            let report = match Simulation::new(&scene)?.run_observed(&mut record) {
+            let report = match Simulation::new(&scene)?.estimating(ErrorEstimation::Off).run_observed(&mut record) {
                 Ok(report) => report,
                 Err(error) => {
                     rows.push(Row::broken(case, &format!("{} on {name}: runs", falling.name), error.to_string()));

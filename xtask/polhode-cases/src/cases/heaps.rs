@@ -7,7 +7,7 @@
 
 use super::{CaseResult, Context};
 use crate::row::Row;
-use polhode::Simulation;
+use polhode::{ErrorEstimation, Simulation};
 
 const CASE: &str = "heaps";
 
@@ -91,7 +91,7 @@ struct Told {
 
 fn told(text: &str) -> Result<Told, Box<dyn std::error::Error>> {
     let scene = polhode_scene::load_text("heap.toml", text, &[])?.scene;
-    let mut simulation = Simulation::new(&scene)?;
+    let mut simulation = Simulation::new(&scene)?.estimating(ErrorEstimation::Off);
     let (mut factorisations, mut before) = (Vec::new(), 0);
     for _ in 0..STEPS {
         simulation.step()?;

@@ -5,7 +5,7 @@
 
 use super::run::Run;
 use glam::DVec3;
-use polhode::{BodySample, Effects, Scene, Simulation};
+use polhode::{BodySample, Effects, ErrorEstimation, Scene, Simulation};
 use std::error::Error;
 use std::f64::consts::{PI, TAU};
 
@@ -18,7 +18,7 @@ const MOST_EVALUATIONS: usize = 60;
 /// When the scene does not run.
 pub(super) fn state_at(scene: &Scene, t: f64) -> Result<BodySample, Box<dyn Error>> {
     let scene = scene.clone().with_duration(t)?;
-    let report = Simulation::new(&scene)?.run()?;
+    let report = Simulation::new(&scene)?.estimating(ErrorEstimation::Off).run()?;
     Ok(report.bodies.first().ok_or("the scene has no body")?.state)
 }
 

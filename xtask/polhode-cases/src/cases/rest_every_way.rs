@@ -18,7 +18,7 @@ use polhode::contact::{ConvexPolyhedron, Shape};
 use polhode::response::{SolverSettings, guesses};
 use polhode::scene::{ImpactLaw, Tier};
 use polhode::spatial::{Inertia, Mass, MassProperties, Pose, Rotation, UnitVector, Velocity};
-use polhode::{Body, Effects, Scene, Simulation};
+use polhode::{Body, Effects, ErrorEstimation, Scene, Simulation};
 use std::error::Error;
 use std::f64::consts::{FRAC_PI_3, FRAC_PI_6};
 
@@ -325,7 +325,7 @@ fn forces(rows: &mut Vec<Row>) -> Result<(), Box<dyn Error>> {
             _ => 0.1,
         };
         let at_end = |scene: Scene| -> Result<Vec<polhode::ContactView>, Box<dyn Error>> {
-            let mut simulation = Simulation::new(&way.at_rest(scene))?;
+            let mut simulation = Simulation::new(&way.at_rest(scene))?.estimating(ErrorEstimation::Off);
             simulation.advance_to(duration_s)?;
             simulation.accelerations()?;
             Ok(simulation.contacts())
@@ -383,7 +383,7 @@ fn held_by_walls(context: &Context, rows: &mut Vec<Row>) -> Result<(), Box<dyn E
             _ => 0.1,
         };
         let found = balls_between_walls(2.0 * duration_s).and_then(|scene| {
-            let mut simulation = Simulation::new(&way.at_rest(scene))?;
+            let mut simulation = Simulation::new(&way.at_rest(scene))?.estimating(ErrorEstimation::Off);
             simulation.advance_to(duration_s)?;
             simulation.accelerations()?;
             let contacts = simulation.contacts();

@@ -1,6 +1,6 @@
 //! Running scenes: one call that gives the report and everything that was observed.
 
-use polhode::{BodySample, Effects, Event, EventKind, Recorder, RunReport, Scene, Simulation};
+use polhode::{BodySample, Effects, ErrorEstimation, Event, EventKind, Recorder, RunReport, Scene, Simulation};
 use std::collections::BTreeMap;
 use std::error::Error;
 use std::path::{Path, PathBuf};
@@ -28,7 +28,8 @@ impl Run {
     pub fn of(scene: &Scene, effects: Effects) -> Result<Self, Box<dyn Error>> {
         let mut record = Recorder::default();
         let start = Instant::now();
-        let report = Simulation::with_effects(scene, effects)?.run_observed(&mut record)?;
+        let report =
+            Simulation::with_effects(scene, effects)?.estimating(ErrorEstimation::Off).run_observed(&mut record)?;
         let wall_s = start.elapsed().as_secs_f64();
         Ok(Self { scene: scene.clone(), report, record, wall_s })
     }

@@ -13,7 +13,7 @@ use glam::DVec3;
 use polhode::contact::{ConvexPolyhedron, Shape};
 use polhode::scene::Material;
 use polhode::spatial::{Inertia, Mass, MassProperties, Pose, Rotation, UnitVector, Velocity};
-use polhode::{Body, Outcome, Scene, Simulation};
+use polhode::{Body, ErrorEstimation, Outcome, Scene, Simulation};
 use std::error::Error;
 use std::f64::consts::FRAC_PI_2;
 
@@ -288,7 +288,7 @@ pub(super) fn friction(_: &Context) -> CaseResult {
             for body in under {
                 scene = scene.body(body.material(rough.clone()));
             }
-            let report = Simulation::new(&scene.body(body).build()?)?.run()?;
+            let report = Simulation::new(&scene.body(body).build()?)?.estimating(ErrorEstimation::Off).run()?;
             let last = report.bodies.last().ok_or("no body")?.state;
             Ok([last.pose.translation, last.velocity.linear])
         };

@@ -1,7 +1,8 @@
 //! One run of a random scene: it ends, or is ended after a number of steps.
 
 use polhode::{
-    BodySample, Effects, Event, Flow, Observer, Outcome, RunReport, Scene, Simulation, SimulationError, Snapshot,
+    BodySample, Effects, ErrorEstimation, Event, Flow, Observer, Outcome, RunReport, Scene, Simulation,
+    SimulationError, Snapshot,
 };
 use polhode_oracles::judge::{Account, State, Track};
 use polhode_oracles::random_scene::model::Model;
@@ -146,14 +147,14 @@ impl Trial {
 }
 
 fn run(scene: &Scene, effects: Effects, observer: &mut Bounded) -> Result<RunReport, SimulationError> {
-    let mut simulation = Simulation::with_effects(scene, effects)?;
+    let mut simulation = Simulation::with_effects(scene, effects)?.estimating(ErrorEstimation::Off);
     let report = simulation.run_observed(observer)?;
     if !observer.is_paused || report.outcome == Outcome::Completed || observer.is_stopped {
         return Ok(report);
     }
     observer.pause_s = f64::INFINITY;
     let bytes = simulation.snapshot().to_bytes();
-    let mut continued = Simulation::with_effects(scene, effects)?;
+    let mut continued = Simulation::with_effects(scene, effects)?.estimating(ErrorEstimation::Off);
     if let Ok(snapshot) = Snapshot::from_bytes(&bytes) {
         continued.restore(&snapshot)?;
     }

@@ -4,7 +4,7 @@
 //! start. Its fall is run until it shows where the case asks for that.
 
 use crate::cases::run::movement_m;
-use polhode::{Acceleration, BodySample, Scene, Simulation};
+use polhode::{Acceleration, BodySample, ErrorEstimation, Scene, Simulation};
 
 /// How long a structure has to stand, s.
 const DURATION_S: f64 = 10.0;
@@ -58,7 +58,7 @@ pub(super) fn fate(scene: &Scene, until: Until) -> Fate {
 }
 
 fn run(scene: &Scene, until: Until) -> Result<Fate, polhode::SimulationError> {
-    let mut simulation = Simulation::new(scene)?;
+    let mut simulation = Simulation::new(scene)?.estimating(ErrorEstimation::Off);
     if until == Until::Acceleration {
         let accelerations = simulation.accelerations()?;
         let accelerates = |a: &Acceleration| a.linear.length().max(a.angular.length()) > ACCELERATES;

@@ -2,7 +2,9 @@
 
 use super::subject::{Copy, Subject, Text};
 use glam::DQuat;
-use polhode::{BodySample, Certificate, Event, Flow, Observer, Occurrence, Outcome, Simulation, SimulationError};
+use polhode::{
+    BodySample, Certificate, ErrorEstimation, Event, Flow, Observer, Occurrence, Outcome, Simulation, SimulationError,
+};
 use polhode_oracles::judge::tiers::Poses;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
@@ -130,7 +132,11 @@ impl Trial {
                 SimulationError::Scene(error) => Ending::Refused(error.to_string()),
                 error => Ending::Failed(error.to_string()),
             };
-            Simulation::new(&loaded.scene).map_err(told)?.run_observed(&mut watch).map_err(told)
+            Simulation::new(&loaded.scene)
+                .map_err(told)?
+                .estimating(ErrorEstimation::Off)
+                .run_observed(&mut watch)
+                .map_err(told)
         }));
         let report = match ran {
             Err(_) => return Self::ended(Ending::Panicked),

@@ -1,0 +1,115 @@
+//! What is known of the error of a run so far: plain data, which a snapshot holds as they are.
+
+use super::growth::Growth;
+use crate::identity::body_id::BodyId;
+use crate::report::run_error::{BodyError, LargestError, ReferenceKind, ReferenceReport};
+use serde::{Deserialize, Serialize};
+
+/// What is known of the references of one kind.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub(crate) struct OfKind {
+    /// By which method and steps, in words.
+    pub(crate) method: String,
+    /// References begun.
+    pub(crate) begun: u32,
+    /// Those that failed, one after the other.
+    pub(crate) failed: u32,
+    /// How long they have run, s.
+    pub(crate) covered_s: f64,
+    /// The largest distance of a body from them, of its size.
+    pub(crate) largest: f64,
+    /// Why the last one ended, in words.
+    pub(crate) ended: Option<String>,
+    /// Units of work of those that have ended, and of the last one in a second of motion.
+    pub(crate) spent: u64,
+    pub(crate) per_second: f64,
+}
+
+/// The largest error so far.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+struct Largest {
+    relative: f64,
+    error: BodyError,
+    body: usize,
+    t_s: f64,
+}
+
+/// The error of a run so far.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub(crate) struct Course {
+    /// Whether the first references have been begun.
+    pub(crate) has_begun: bool,
+    /// Units of work that the beginning of the run took.
+    pub(crate) beginning: u64,
+    /// When the run was compared last, and when it is to be compared next, s.
+    pub(crate) compared_s: f64,
+    pub(crate) next_s: f64,
+    /// Where the bodies were when the first references began, m.
+    pub(crate) start: Vec<[f64; 3]>,
+    /// Errors of the bodies at the last comparison, and how fast they grew in the last piece, per second.
+    pub(crate) errors: Vec<BodyError>,
+    pub(crate) rates: Vec<BodyError>,
+    largest: Option<Largest>,
+    /// By the number of the kind.
+    kinds: [OfKind; ReferenceKind::ALL.len()],
+    pub(crate) growth: Growth,
+}
+
+impl Course {
+    /// What is known of a kind.
+    pub(crate) fn of(&self, kind: ReferenceKind) -> &OfKind {
+        &self.kinds[kind as usize]
+    }
+
+    /// The same, to be changed.
+    pub(crate) fn of_mut(&mut self, kind: ReferenceKind) -> &mut OfKind {
+        &mut self.kinds[kind as usize]
+    }
+
+    /// Units of work of the references that have ended.
+    pub(crate) fn spent(&self) -> u64 {
+        self.kinds.iter().map(|own| own.spent).sum()
+    }
+
+    /// The errors of so many bodies a time (s) after the last comparison, over which no reference has run: the motion
+    /// has amplified them by `growth`.
+    pub(crate) fn grown(&self, growth: f64, since_s: f64, bodies: usize) -> Vec<BodyError> {
+        let of = |list: &[BodyError], body: usize| list.get(body).copied().unwrap_or_default();
+        let grown = |body| of(&self.errors, body).times(growth).plus(of(&self.rates, body).times(since_s));
+        (0..bodies).map(grown).collect()
+    }
+
+    /// The errors of the bodies at `t` (s), of bodies of these sizes (m).
+    pub(crate) fn note(&mut self, t: f64, errors: Vec<BodyError>, sizes: &[f64]) {
+        if self.growth.horizon_s.is_none_or(|horizon| t < horizon) {
+            for (body, (error, &size)) in errors.iter().zip(sizes).enumerate() {
+                let relative = error.of_size(size);
+                if self.largest.is_none_or(|largest| relative > largest.relative) {
+                    self.largest = Some(Largest { relative, error: *error, body, t_s: t });
+                }
+            }
+        }
+        self.errors = errors;
+        self.compared_s = t;
+    }
+
+    /// The largest error so far.
+    pub(crate) fn largest(&self) -> Option<LargestError> {
+        self.largest.map(|Largest { relative, error, body, t_s }| LargestError {
+            relative,
+            error,
+            body: BodyId::new(body),
+            t_s,
+        })
+    }
+
+    /// What a report says of the references that have been begun.
+    pub(crate) fn references(&self) -> Vec<ReferenceReport> {
+        let report = |kind: ReferenceKind| {
+            let OfKind { method, covered_s, largest, ended, .. } = self.of(kind).clone();
+            ReferenceReport { kind, method, covered_s, largest_distance: largest, ended }
+        };
+        let told = |kind: &ReferenceKind| self.of(*kind).begun > 0 || self.of(*kind).ended.is_some();
+        ReferenceKind::ALL.into_iter().filter(told).map(report).collect()
+    }
+}

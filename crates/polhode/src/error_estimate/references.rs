@@ -1,0 +1,81 @@
+//! The runs beside a run (which are an `S` too), and what is known by them.
+
+use super::course::Course;
+use super::effort::ErrorEstimation;
+use crate::report::run_error::{BodyError, ReferenceKind};
+use polhode_dynamics::BodyState;
+
+/// A run beside a run.
+#[derive(Debug)]
+pub(crate) struct Reference<S> {
+    pub(crate) kind: ReferenceKind,
+    pub(crate) run: Box<S>,
+    /// The run with which a disturbed one is compared in the place of the run.
+    pub(crate) partner: Option<Box<S>>,
+    /// When it began, s.
+    pub(crate) begun_s: f64,
+    /// Whether it began with the run.
+    pub(crate) is_whole: bool,
+    /// The errors of the bodies where it began.
+    pub(crate) base: Vec<BodyError>,
+    /// What its distance is multiplied by (no unit).
+    pub(crate) weight: f64,
+    /// The errors since then that its distance from the run says.
+    pub(crate) since: Vec<BodyError>,
+}
+
+/// How a reference begins; the fields are those of [`Reference`].
+#[derive(Debug)]
+pub(crate) struct ReferenceBegin {
+    pub(crate) begun_s: f64,
+    pub(crate) is_whole: bool,
+    pub(crate) base: Vec<BodyError>,
+    pub(crate) weight: f64,
+}
+
+impl<S> Reference<S> {
+    /// A reference that begins.
+    pub(crate) fn new(kind: ReferenceKind, run: Box<S>, begin: ReferenceBegin) -> Self {
+        let ReferenceBegin { begun_s, is_whole, base, weight } = begin;
+        Self { kind, run, partner: None, begun_s, is_whole, base, weight, since: Vec::new() }
+    }
+}
+
+/// Where references that begin with the run begin.
+#[derive(Debug, Clone)]
+pub(crate) struct StartOfRun {
+    /// When, s.
+    pub(crate) t_s: f64,
+    pub(crate) states: Vec<BodyState>,
+    /// Which bodies rested then.
+    pub(crate) rested: Vec<bool>,
+}
+
+/// The runs beside a run.
+#[derive(Debug)]
+pub(crate) struct References<S> {
+    pub(crate) effort: ErrorEstimation,
+    /// The start of the run; none before it, and after an action of a program, which later runs would not repeat.
+    pub(crate) start: Option<StartOfRun>,
+    pub(crate) running: Vec<Reference<S>>,
+    pub(crate) course: Course,
+}
+
+impl<S> References<S> {
+    /// None yet, for an estimate of this effort.
+    pub(crate) fn new(effort: ErrorEstimation) -> Self {
+        Self { effort, start: None, running: Vec::new(), course: Course::default() }
+    }
+
+    /// Whether a reference of this kind runs.
+    pub(crate) fn runs(&self, kind: ReferenceKind) -> bool {
+        self.running.iter().any(|own| own.kind == kind)
+    }
+}
+
+impl<S> Default for References<S> {
+    /// None, and no estimate.
+    fn default() -> Self {
+        Self::new(ErrorEstimation::Off)
+    }
+}

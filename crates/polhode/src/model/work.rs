@@ -1,0 +1,57 @@
+//! What a run has computed so far, counted in units of about five thousand instructions, whatever the machine.
+//!
+//! The runs that estimate the error of a run beside it may take a part of its work (`crate::error_estimate`). A clock
+//! would make the estimate depend on the machine and on what else it does; a count has the same value everywhere and
+//! for any number of threads, since sums of whole numbers have no order. It is told by what is computed most often: pairs
+//! of shapes, problems of rows, bodies at the stages of integrators. No motion depends on it.
+//!
+//! How it fails: the units were fitted to runs of shipped scenes (`xtask error-cost`), and are off by a factor of up to
+//! two where something else is computed most often.
+
+use std::sync::atomic::{AtomicU64, Ordering};
+
+/// Units of a pair of shapes whose contacts or distance are found.
+pub(crate) const OF_PAIR: usize = 3;
+
+/// Units of a body at one stage of an integrator.
+pub(crate) const OF_BODY: usize = 1;
+
+/// Units of a body in a step of an integrator of high order.
+pub(crate) const OF_STEP: usize = 12;
+
+/// Units of a simulation that begins: its model, its plan.
+pub(crate) const OF_BEGINNING: usize = 300;
+
+/// Rows from which on a problem costs as much for each further one: each is coupled with as many others.
+const COUPLED_ROWS: usize = 48;
+
+/// Rows whose coupling with another one costs a unit.
+const ROWS_OF_UNIT: usize = 8;
+
+/// A count of work, which threads may share.
+#[derive(Debug, Default)]
+pub(crate) struct Work(AtomicU64);
+
+impl Clone for Work {
+    /// That of a copy of the model, which has computed nothing.
+    fn clone(&self) -> Self {
+        Self::default()
+    }
+}
+
+impl Work {
+    /// Counts so many units.
+    pub(crate) fn add(&self, units: usize) {
+        self.0.fetch_add(units as u64, Ordering::Relaxed);
+    }
+
+    /// Counts a problem of so many rows between so many bodies.
+    pub(crate) fn add_problem(&self, bodies: usize, rows: usize) {
+        self.add(1 + bodies * OF_BODY + rows + rows * rows.min(COUPLED_ROWS) / ROWS_OF_UNIT);
+    }
+
+    /// The units counted so far.
+    pub(crate) fn total(&self) -> u64 {
+        self.0.load(Ordering::Relaxed)
+    }
+}
