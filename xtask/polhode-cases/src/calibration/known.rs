@@ -1,0 +1,92 @@
+//! A scene whose motion is known, by whatever means.
+
+use glam::DVec3;
+use polhode::Scene;
+use polhode::scene::Tier;
+use polhode::spatial::{Pose, Rotation};
+use std::error::Error;
+
+/// A scene whose motion is known.
+pub struct Known {
+    /// Its source and what it is, with a slash between.
+    pub name: String,
+    /// Makes the scene.
+    pub(super) scene: MakeScene,
+    /// What is known of its motion.
+    pub(super) truth: Truth,
+    /// The tiers whose runs are compared with it.
+    pub(super) tiers: Vec<Tier>,
+    /// Step of the tier `stepped`, s; none for that of all.
+    pub(super) step_s: Option<f64>,
+}
+
+/// Makes a scene when it is asked for, so that a list of all costs nothing.
+pub(super) type MakeScene = Box<dyn Fn() -> Result<Scene, Box<dyn Error>> + Send + Sync>;
+
+/// Where bodies are after a time, s.
+pub(super) type Motion = Box<dyn Fn(f64) -> Vec<Place> + Send + Sync>;
+
+/// What is known of a motion.
+pub(super) enum Truth {
+    /// The places of some bodies at any time, from a closed form or a reference.
+    Motion(Motion),
+    /// Nothing moves.
+    Still,
+    /// What the tier `accurate` computes at its tightest; how well it is known shows a copy of the scene.
+    Run(Option<Copy>),
+}
+
+/// The same scene set otherwise in the world.
+pub(super) struct Copy {
+    /// Makes it.
+    pub(super) scene: MakeScene,
+    /// Takes the poses of all its bodies to those of the scene as it is, in its order.
+    pub(super) undone: Box<dyn Fn(&mut Vec<Pose>) + Send + Sync>,
+}
+
+/// What is known of where a body is.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Place {
+    /// The number of the body.
+    pub(super) body: usize,
+    /// Of its origin, m.
+    pub(super) position: Option<DVec3>,
+    /// Its attitude.
+    pub(super) attitude: Option<Rotation>,
+}
+
+impl Place {
+    /// The origin of a body is here.
+    pub(super) fn at(body: usize, position: DVec3) -> Self {
+        Self { body, position: Some(position), attitude: None }
+    }
+
+    /// A body has this pose.
+    pub(super) fn pose(body: usize, pose: Pose) -> Self {
+        Self { body, position: Some(pose.translation), attitude: Some(pose.rotation) }
+    }
+}
+
+impl Known {
+    /// A scene with a motion that is known at any time.
+    pub(super) fn motion(
+        name: String,
+        scene: Scene,
+        tiers: &[Tier],
+        motion: impl Fn(f64) -> Vec<Place> + Send + Sync + 'static,
+    ) -> Self {
+        let scene: MakeScene = Box::new(move || Ok(scene.clone()));
+        Self { name, scene, truth: Truth::Motion(Box::new(motion)), tiers: tiers.to_vec(), step_s: None }
+    }
+
+    /// A scene in which nothing moves.
+    pub(super) fn still(name: String, scene: Scene, tiers: &[Tier]) -> Self {
+        let scene: MakeScene = Box::new(move || Ok(scene.clone()));
+        Self { name, scene, truth: Truth::Still, tiers: tiers.to_vec(), step_s: None }
+    }
+
+    /// The tiers whose runs are compared with it.
+    pub fn tiers(&self) -> &[Tier] {
+        &self.tiers
+    }
+}

@@ -1,0 +1,40 @@
+//! Errors that runs tell beside their true errors, over scenes whose motion is known.
+//!
+//! A scene is run by every tier that takes it. The true error of a run is the largest distance of any point of a body
+//! from where it belongs, of the size of the body, over all samples for which the truth is known and before the horizon
+//! that the run tells. The told error is what the report says.
+//!
+//! | module | holds |
+//! |---|---|
+//! | `known` | a scene whose motion is known |
+//! | `sources` | all such scenes |
+//! | `closed` | scenes of contact and friction in closed form |
+//! | `setting` | a scene in a tier, and at the tightest |
+//! | `trial` | one run |
+//! | `told` | what a run tells of its error |
+//! | `truth` | the true motion at samples, and how well it is known |
+//! | `distance` | how far bodies are from their places |
+//! | `judged` | what came of a scene in its tiers |
+//! | `all_cores` | all scenes, on all processors |
+//! | `summary` | shares that are told too low or too high |
+//! | `table` | what is printed |
+
+mod all_cores;
+pub(crate) mod closed;
+mod distance;
+mod judged;
+mod known;
+mod setting;
+mod sources;
+mod summary;
+mod table;
+mod told;
+mod trial;
+mod truth;
+
+pub use all_cores::judge_all;
+pub use judged::{Compared, Finding, Judged, ROUNDING};
+pub use known::Known;
+pub use sources::all;
+pub use summary::{FAR_TOO_LOW, GOALS, Shares, TOO_HIGH, TOO_LOW, tiers, worst};
+pub use table::{SHARE_COLUMNS, json, share_rows, summary};

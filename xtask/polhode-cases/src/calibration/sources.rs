@@ -1,0 +1,34 @@
+//! All scenes whose motion is known, in the order of their sources.
+
+use super::closed;
+use super::known::{Known, Place, Truth};
+use polhode::scene::Tier;
+use std::path::Path;
+
+/// Tiers that are compared with closed forms; the tier `penalty` has a law of its own.
+pub(super) const ALL_TIERS: [Tier; 5] =
+    [Tier::Accurate, Tier::Stepped, Tier::Fast, Tier::Thesis, Tier::MicroCollisions];
+/// The number of the body that moves in a closed form.
+const BODY: usize = 1;
+
+/// All of them, of the workspace in this folder.
+pub fn all(root: &Path) -> Vec<Known> {
+    let _ = root;
+    closed_forms()
+}
+
+/// Scenes of contact and friction in closed form.
+fn closed_forms() -> Vec<Known> {
+    let known = |form: closed::ClosedForm| {
+        let closed::ClosedForm { name, text, position, .. } = form;
+        let origin = name.clone();
+        Known {
+            name: format!("closed form/{name}"),
+            scene: Box::new(move || Ok(polhode_scene::load_text(&origin, &text, &[])?.scene)),
+            truth: Truth::Motion(Box::new(move |t| vec![Place::at(BODY, position(t))])),
+            tiers: ALL_TIERS.to_vec(),
+            step_s: None,
+        }
+    };
+    closed::corpus().into_iter().map(known).collect()
+}
