@@ -2,11 +2,13 @@
 
 use super::distance::Sizes;
 use super::known::Known;
-use super::setting::{for_so_long, in_tier, law_of};
+use super::setting::{sampled, in_tier, law_of};
 use super::trial::{NoTrial, Trial};
 use super::truth::{TrueMotion, Unknown};
 use polhode::Scene;
+use polhode::BodyId;
 use polhode::scene::{ImpactLaw, Tier};
+use polhode::tier::TierFeature;
 use std::error::Error;
 use std::time::Instant;
 
@@ -14,8 +16,6 @@ use std::time::Instant;
 pub const ROUNDING: f64 = 1e-13;
 /// The truth must be known to this part of the error that is judged by it.
 const KNOWN_TO: f64 = 1.0 / 3.0;
-/// Scenes are run for so long at the most, s.
-const MOST_S: f64 = 1.0;
 /// A run of fewer samples than these is too short to judge.
 const FEWEST: usize = 4;
 
@@ -76,8 +76,8 @@ impl Compared {
 }
 
 /// All tiers of a scene.
-pub fn judge(known: &Known) -> Vec<Judged> {
-    let scene = match (known.scene)().and_then(|scene| for_so_long(scene, MOST_S)) {
+pub(super) fn judge(known: &Known) -> Vec<Judged> {
+    let scene = match (known.scene)().and_then(|scene| sampled(scene)) {
         Ok(scene) => scene,
         Err(error) => return known.tiers.iter().map(|&tier| failed(known, tier, error.as_ref())).collect(),
     };
@@ -114,10 +114,13 @@ impl Truths<'_> {
 
     /// What is found of a tier: the run of the whole scene, or of what of it is known.
     fn finding(&mut self, tier: Tier) -> Result<Finding, Finding> {
+        if !tier.facts().takes(TierFeature::Friction) && has_friction(self.scene) {
+            return Err(Finding::Refused("the tier has no friction".to_owned()));
+        }
         let scene = in_tier(self.scene, tier, self.known.step_s);
         let trial = run(&scene)?;
         let sizes = Sizes::of(self.scene);
-        let law = law_of(self.scene, tier);
+        let law = if self.known.is_by_runs() { law_of(self.scene, tier) } else { ImpactLaw::default() };
         let truth = self.by(law, &trial.times_s)?;
         let known = known_part(&sizes, truth, &trial)?;
         if known.last + 1 == trial.times_s.len() {
@@ -131,6 +134,13 @@ impl Truths<'_> {
         let told = run(&shorter)?.told.relative;
         Ok(Finding::Compared(Compared { told, ..known.compared }))
     }
+}
+
+/// Whether friction acts between any two bodies of a scene.
+fn has_friction(scene: &Scene) -> bool {
+    let bodies = || (0..scene.bodies().len()).map(BodyId::new);
+    let rubs = |a: BodyId, b: BodyId| scene.material_between(a, b).is_ok_and(|material| material.friction() > 0.0);
+    bodies().any(|a| bodies().any(|b| a < b && scene.can_collide(a, b) && rubs(a, b)))
 }
 
 fn run(scene: &Scene) -> Result<Trial, Finding> {

@@ -5,6 +5,7 @@ use polhode::Scene;
 use polhode::scene::Tier;
 use polhode::spatial::{Pose, Rotation};
 use std::error::Error;
+use std::fmt;
 
 /// A scene whose motion is known.
 pub struct Known {
@@ -18,6 +19,12 @@ pub struct Known {
     pub(super) tiers: Vec<Tier>,
     /// Step of the tier `stepped`, s; none for that of all.
     pub(super) step_s: Option<f64>,
+}
+
+impl fmt::Debug for Known {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Known").field("name", &self.name).field("tiers", &self.tiers).finish_non_exhaustive()
+    }
 }
 
 /// Makes a scene when it is asked for, so that a list of all costs nothing.
@@ -79,14 +86,26 @@ impl Known {
         Self { name, scene, truth: Truth::Motion(Box::new(motion)), tiers: tiers.to_vec(), step_s: None }
     }
 
+    /// Whether its motion is known from runs, which have a law of impacts.
+    pub(super) fn is_by_runs(&self) -> bool {
+        matches!(self.truth, Truth::Run(_))
+    }
+
+    /// A source whose scenes could not be made.
+    pub(super) fn failed(source: &str, why: String) -> Self {
+        let scene: MakeScene = Box::new(move || Err(why.clone().into()));
+        Self {
+            name: format!("{source}/its scenes"),
+            scene,
+            truth: Truth::Still,
+            tiers: vec![Tier::Accurate],
+            step_s: None,
+        }
+    }
+
     /// A scene in which nothing moves.
     pub(super) fn still(name: String, scene: Scene, tiers: &[Tier]) -> Self {
         let scene: MakeScene = Box::new(move || Ok(scene.clone()));
         Self { name, scene, truth: Truth::Still, tiers: tiers.to_vec(), step_s: None }
-    }
-
-    /// The tiers whose runs are compared with it.
-    pub fn tiers(&self) -> &[Tier] {
-        &self.tiers
     }
 }

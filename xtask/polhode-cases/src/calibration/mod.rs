@@ -9,6 +9,10 @@
 //! | `known` | a scene whose motion is known |
 //! | `sources` | all such scenes |
 //! | `closed` | scenes of contact and friction in closed form |
+//! | `published` | scenes of the validation cases in closed form, and those in which nothing moves |
+//! | `mechanisms` | pendulums, chains, loops and tops whose motion is known |
+//! | `oracles` | motions of pendulums and chains from their own equations |
+//! | `by_runs` | scenes known from the tier `accurate` at its tightest |
 //! | `setting` | a scene in a tier, and at the tightest |
 //! | `trial` | one run |
 //! | `told` | what a run tells of its error |
@@ -20,10 +24,14 @@
 //! | `table` | what is printed |
 
 mod all_cores;
+mod by_runs;
 pub(crate) mod closed;
 mod distance;
 mod judged;
 mod known;
+mod mechanisms;
+mod oracles;
+mod published;
 mod setting;
 mod sources;
 mod summary;

@@ -67,11 +67,20 @@ pub(super) fn tightest(scene: &Scene, law: ImpactLaw, standard: Standard) -> Sce
     scene.clone().with_method(method)
 }
 
-/// The scene, ended at the latest after so long (s), with samples to compare.
+/// The scene, ended at the latest after so long, s.
+///
+/// # Errors
+/// When the scene refuses it.
+pub(super) fn for_so_long(scene: Scene, most_s: f64) -> Result<Scene, Box<dyn Error>> {
+    let duration_s = scene.duration_s().min(most_s);
+    Ok(scene.with_duration(duration_s)?)
+}
+
+/// The scene with samples to compare.
 ///
 /// # Errors
 /// When the scene refuses them.
-pub(super) fn for_so_long(scene: Scene, most_s: f64) -> Result<Scene, Box<dyn Error>> {
-    let duration_s = scene.duration_s().min(most_s);
-    Ok(scene.with_duration(duration_s)?.with_output_interval(duration_s / SAMPLES)?)
+pub(super) fn sampled(scene: Scene) -> Result<Scene, Box<dyn Error>> {
+    let interval_s = scene.duration_s() / SAMPLES;
+    Ok(scene.with_output_interval(interval_s)?)
 }

@@ -1,6 +1,6 @@
 //! All scenes whose motion is known, in the order of their sources.
 
-use super::closed;
+use super::{by_runs, closed, mechanisms, published};
 use super::known::{Known, Place, Truth};
 use polhode::scene::Tier;
 use std::path::Path;
@@ -13,8 +13,24 @@ const BODY: usize = 1;
 
 /// All of them, of the workspace in this folder.
 pub fn all(root: &Path) -> Vec<Known> {
-    let _ = root;
-    closed_forms()
+    let mut all = closed_forms();
+    let made = [
+        ("throws", published::throws()),
+        ("slopes", published::slopes()),
+        ("shots", published::shots()),
+        ("rotations", published::rotations(root)),
+        ("tops", mechanisms::tops()),
+        ("joints", mechanisms::pendulums()),
+        ("joints", mechanisms::chains()),
+        ("impacts", published::impacts()),
+        ("seams", published::over_seams()),
+        ("still", published::standing()),
+    ];
+    for (source, made) in made {
+        all.extend(made.unwrap_or_else(|error| vec![Known::failed(source, error.to_string())]));
+    }
+    all.extend(by_runs::all(root));
+    all
 }
 
 /// Scenes of contact and friction in closed form.

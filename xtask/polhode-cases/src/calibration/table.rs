@@ -15,7 +15,8 @@ impl fmt::Display for Judged {
             Finding::Compared(compared) => {
                 write!(f, "true {:8.1e} ", compared.truth)?;
                 match (compared.told, compared.ratio()) {
-                    (Some(told), Some(ratio)) => write!(f, "told {told:8.1e} ratio {ratio:8.1e}"),
+                    (Some(told), Some(ratio)) if ratio.is_finite() => write!(f, "told {told:8.1e} ratio {ratio:8.1e}"),
+                    (Some(told), _) => write!(f, "told {told:8.1e}"),
                     _ => write!(f, "not told"),
                 }
             }

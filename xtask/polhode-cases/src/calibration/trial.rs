@@ -1,7 +1,7 @@
 //! One run of a scene, with what it says of itself.
 
 use super::told::{Told, told};
-use polhode::{BodySample, Event, Flow, Observer, Outcome, Scene, Simulation, SimulationError};
+use polhode::{BodySample, Event, Flow, Observer, Scene, Simulation, SimulationError};
 use polhode::spatial::Pose;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::time::{Duration, Instant};
@@ -31,10 +31,6 @@ pub(super) struct Trial {
     pub(super) rows: Vec<Vec<Pose>>,
     /// What it tells of its error.
     pub(super) told: Told,
-    /// Whether it says that it kept its promise.
-    pub(super) is_well: bool,
-    /// Time that it took, s.
-    pub(super) wall_s: f64,
 }
 
 /// Keeps poses, and ends what is late.
@@ -80,8 +76,6 @@ impl Trial {
         if watch.is_stopped {
             return Err(NoTrial::Late);
         }
-        let trial = watch.trial;
-        let wall_s = watch.start.elapsed().as_secs_f64();
-        Ok(Self { told: told(&report), is_well: report.outcome == Outcome::Completed, wall_s, ..trial })
+        Ok(Self { told: told(&report), ..watch.trial })
     }
 }

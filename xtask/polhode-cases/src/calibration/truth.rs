@@ -2,7 +2,7 @@
 
 use super::distance::{Sizes, places};
 use super::known::{Copy, Known, Place, Truth};
-use super::setting::{Standard, for_so_long, tightest};
+use super::setting::{Standard, for_so_long, sampled, tightest};
 use super::trial::{NoTrial, Trial};
 use polhode::Scene;
 use polhode::scene::ImpactLaw;
@@ -67,7 +67,7 @@ impl TrueMotion {
 
 /// The copy of a scene, for as long.
 fn copied(copy: &Copy, scene: &Scene) -> Result<Scene, Box<dyn Error>> {
-    for_so_long((copy.scene)()?, scene.duration_s())
+    sampled(for_so_long((copy.scene)()?, scene.duration_s())?)
 }
 
 /// A run that stands for the truth.
