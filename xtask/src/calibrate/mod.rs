@@ -1,8 +1,16 @@
 //! `cargo xtask calibrate`: the error that each run tells beside its true error, over scenes whose motion is known, and
 //! `docs/error-estimates.md`, which shows them.
+//!
+//! | module | holds |
+//! |---|---|
+//! | `page` | the document |
+//! | `figure` | its figure |
+
+mod figure;
+mod page;
 
 use clap::{Args, ValueEnum};
-use polhode_cases::calibration::{self, Known, judge_all};
+use polhode_cases::calibration::{self, Known, WITHIN, judge_all};
 use std::error::Error;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -24,6 +32,9 @@ pub(crate) struct Options {
     /// How much is done to estimate errors.
     #[arg(long, value_enum, default_value_t = Effort::Quick)]
     effort: Effort,
+    /// Find the horizons of chaotic scenes instead.
+    #[arg(long)]
+    horizons: bool,
     /// Write document and figure below this folder.
     #[arg(long)]
     write: Option<PathBuf>,
@@ -43,6 +54,9 @@ enum Effort {
 /// When a file cannot be written.
 pub(crate) fn run(options: &Options, root: &Path) -> Result<ExitCode, Box<dyn Error>> {
     let start = Instant::now();
+    if options.horizons {
+        return Ok(find_horizons(options, root));
+    }
     let all = calibration::all(root);
     let is_meant = |known: &&Known| options.only.as_ref().is_none_or(|only| known.name.starts_with(only.as_str()));
     let meant: Vec<&Known> = all.iter().filter(is_meant).step_by(options.every.max(1)).collect();
@@ -52,5 +66,18 @@ pub(crate) fn run(options: &Options, root: &Path) -> Result<ExitCode, Box<dyn Er
     if let Some(path) = &options.json {
         fs::write(path, serde_json::to_string_pretty(&calibration::json(&judged))?)?;
     }
+    if let Some(folder) = &options.write {
+        page::write(&root.join(folder), &judged)?;
+    }
     Ok(ExitCode::SUCCESS)
+}
+
+/// Prints the true and the told horizons of chaotic scenes.
+fn find_horizons(options: &Options, root: &Path) -> ExitCode {
+    let only = options.only.as_deref().unwrap_or_default();
+    let found = calibration::horizons(root, only, |one| println!("{one}"));
+    let reached = found.iter().filter(|one| one.true_s.is_some()).count();
+    let right = found.iter().filter(|one| one.is_right()).count();
+    println!("{} scenes, {reached} reach their horizon, {right} tell it within a factor of {WITHIN}", found.len());
+    ExitCode::SUCCESS
 }

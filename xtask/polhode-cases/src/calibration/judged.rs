@@ -120,7 +120,7 @@ impl Truths<'_> {
         let scene = in_tier(self.scene, tier, self.known.step_s);
         let trial = run(&scene)?;
         let sizes = Sizes::of(self.scene);
-        let law = if self.known.is_by_runs() { law_of(self.scene, tier) } else { ImpactLaw::default() };
+        let law = if self.known.is_by_runs() { law_of(self.scene, tier) } else { ImpactLaw::Reflection };
         let truth = self.by(law, &trial.times_s)?;
         let known = known_part(&sizes, truth, &trial)?;
         if known.last + 1 == trial.times_s.len() {

@@ -13,6 +13,8 @@
 //! | `mechanisms` | pendulums, chains, loops and tops whose motion is known |
 //! | `oracles` | motions of pendulums and chains from their own equations |
 //! | `by_runs` | scenes known from the tier `accurate` at its tightest |
+//! | `chaotic` | twenty scenes whose motion is chaotic |
+//! | `horizons` | when a difference of rounding has grown to a hundredth of a body |
 //! | `setting` | a scene in a tier, and at the tightest |
 //! | `trial` | one run |
 //! | `told` | what a run tells of its error |
@@ -25,8 +27,10 @@
 
 mod all_cores;
 mod by_runs;
+mod chaotic;
 pub(crate) mod closed;
 mod distance;
+mod horizons;
 mod judged;
 mod known;
 mod mechanisms;
@@ -41,6 +45,7 @@ mod trial;
 mod truth;
 
 pub use all_cores::judge_all;
+pub use horizons::{Horizon, WITHIN, horizons};
 pub use judged::{Compared, Finding, Judged, ROUNDING};
 pub use known::Known;
 pub use sources::all;
