@@ -34,7 +34,6 @@ fn logarithm(error: f64) -> f64 {
     if error > 0.0 { error.log10() } else { DECADES[0] }
 }
 
-
 /// The place of a run.
 fn place(compared: &Compared) -> Spot {
     spot(logarithm(compared.truth), compared.told.map_or(DECADES[0], logarithm))
@@ -98,6 +97,6 @@ fn draw_axes(svg: &mut Svg) {
     }
     svg.line(&[[left, top], [left, bottom], [right, bottom]], Stroke::new(Ink::Faint, 1.0));
     let name = Type::new(LABEL, Ink::Text).anchor(Anchor::Middle);
-    svg.text([0.5 * (left + right), bottom + 36.0], "true error (0 and less at the left edge)", name);
+    svg.text([0.5 * (left + right), bottom + 36.0], "true error (smaller ones at the left edge)", name);
     svg.upward_text([20.0, 0.5 * (top + bottom)], "told error (none at the lower edge)", name);
 }

@@ -17,10 +17,10 @@ pub(super) struct Chaotic {
 /// Step of scenes in the tier `stepped`, s.
 const STEP_S: f64 = 0.002;
 /// Heaps of boxes, and of balls: how many.
-const BOXES: [u32; 2] = [12, 20];
-const BALLS: u32 = 30;
+const BOXES: [u32; 2] = [12, 16];
+const BALLS: u32 = 20;
 /// Dominoes in a row.
-const DOMINOES: u32 = 12;
+const DOMINOES: u32 = 8;
 
 /// The scenes, of the workspace in this folder.
 pub(super) fn all(root: &Path) -> Vec<Chaotic> {
@@ -30,13 +30,13 @@ pub(super) fn all(root: &Path) -> Vec<Chaotic> {
     }
     all.push(chain("driven pendulum of two rods", &[0.2, 0.1], Support::Driven(2.0)));
     all.push(chain("driven chain of three rods", &[0.3, -0.2, 0.1], Support::Driven(1.5)));
-    all.push(attracting("three bodies that attract each other", 3, 25.0));
+    all.push(attracting("three bodies that attract each other", 3, 60.0));
     all.push(attracting("four bodies that attract each other", 4, 25.0));
     all.extend((1..=4).map(billiard));
-    all.extend((1..=4).map(dice));
+    all.extend((2..=5).map(dice));
     all.extend(BOXES.map(|count| heap(&format!("heap of {count} boxes"), count, Thrown::Box)));
     all.push(heap("heap of balls", BALLS, Thrown::Ball));
-    all.extend(shipped(root, "ragdoll-on-stairs", 1.4));
+    all.extend(ragdoll(root));
     all.push(dominoes());
     all
 }
@@ -63,13 +63,14 @@ enum Support {
 
 /// A chain of rods of 1 m at these angles from hanging, at rest.
 fn chain(name: &str, angles: &[f64], support: Support) -> Chaotic {
-    let (tier, duration_s) = (Tier::Accurate, 60.0);
+    let (tier, duration_s) = (Tier::Accurate, if let Support::Driven(_) = support { 14.0 } else { 60.0 });
     let mut text = head(name, tier, duration_s, 9.81);
     if let Support::Driven(frequency) = support {
         let _ = writeln!(
             text,
             "[[bodies]]\nname = \"support\"\nshape.sphere.radius = 0.01\n\
-             motion.sine = {{ amplitude = [0.3, 0, 0], frequency = {frequency:?} }}"
+             motion.sine = {{ amplitude = [0.3, 0, 0], frequency = {frequency:?}, \
+             phase = 1.5707963267948966 }}"
         );
     }
     let mut joints = String::new();
@@ -189,15 +190,15 @@ impl Thrown {
 
 /// Dice that are thrown on a floor, and tumble over each other.
 fn dice(seed: u64) -> Chaotic {
-    let (name, tier, duration_s) = (format!("dice {seed}"), Tier::Stepped, 3.0);
+    let (name, tier, duration_s) = (format!("dice {seed}"), Tier::Stepped, 8.0);
     let mut random = Random(100 + seed);
     let mut text = head(&name, tier, duration_s, 9.81);
-    text.push_str("[materials.m]\nfriction = 0.3\nrestitution = 0.7\n");
+    text.push_str("[materials.m]\nfriction = 0.3\nrestitution = 0.95\n");
     walls(&mut text, "m", &[[0.0, 0.0, 1.0]], 0.0);
     walls_around(&mut text, 0.5);
     for number in 0..=seed {
         let place = [random.between(-0.2, 0.2), random.between(-0.2, 0.2), 0.6 + 0.4 * number as f64];
-        text.push_str(&Thrown::Box.body(&format!("die {number}"), place, 3.0, &mut random));
+        text.push_str(&Thrown::Box.body(&format!("die {number}"), place, 5.0, &mut random));
     }
     Chaotic { name, text, tier, duration_s }
 }
@@ -216,17 +217,17 @@ fn walls_around(text: &mut String, far: f64) {
 
 /// Bodies that fall on each other in a box.
 fn heap(name: &str, count: u32, thrown: Thrown) -> Chaotic {
-    let (tier, duration_s) = (Tier::Stepped, 2.0);
+    let (tier, duration_s) = (Tier::Stepped, 3.0);
     let mut random = Random(200 + u64::from(count));
     let mut text = head(name, tier, duration_s, 9.81);
-    text.push_str("[materials.m]\nfriction = 0.3\nrestitution = 0.4\n");
+    text.push_str("[materials.m]\nfriction = 0.1\nrestitution = 0.95\n");
     walls(&mut text, "m", &[[0.0, 0.0, 1.0]], 0.0);
     walls_around(&mut text, 0.5);
     for number in 0..count {
         let [x, y] = [number % 2, number / 2 % 2].map(|half| 0.44 * f64::from(half) - 0.22);
         let height = 0.3 + 0.4 * f64::from(number / 4);
         let place = [x + random.between(-0.02, 0.02), y + random.between(-0.02, 0.02), height];
-        text.push_str(&thrown.body(&format!("body {number}"), place, 0.3, &mut random));
+        text.push_str(&thrown.body(&format!("body {number}"), place, 1.5, &mut random));
     }
     Chaotic { name: name.to_owned(), text, tier, duration_s }
 }
@@ -235,14 +236,10 @@ fn heap(name: &str, count: u32, thrown: Thrown) -> Chaotic {
 fn dominoes() -> Chaotic {
     let (name, tier, duration_s) = ("dominoes".to_owned(), Tier::Stepped, 1.5);
     let mut text = head(&name, tier, duration_s, 9.81);
-    text.push_str("[materials.m]\nfriction = 0.4\nrestitution = 0.4\n");
+    text.push_str("[materials.m]\nfriction = 0.4\nrestitution = 0.75\n");
     walls(&mut text, "m", &[[0.0, 0.0, 1.0]], 0.0);
     for number in 0..DOMINOES {
-        let moving = if number == 0 {
-            "velocity = [0.072, 0, 0.01125]\nangular_velocity = [0, 3, 0]\n"
-        } else {
-            ""
-        };
+        let moving = if number == 0 { "velocity = [0.072, 0, 0.01125]\nangular_velocity = [0, 3, 0]\n" } else { "" };
         let _ = writeln!(
             text,
             "[[bodies]]\nname = \"domino {number}\"\nmass = 0.01\nmaterial = \"m\"\n\
@@ -254,8 +251,11 @@ fn dominoes() -> Chaotic {
     Chaotic { name, text, tier, duration_s }
 }
 
-/// A scene that ships; none where it cannot be read.
-fn shipped(root: &Path, name: &str, duration_s: f64) -> Option<Chaotic> {
+/// The ragdoll that ships, of rubber; none where it cannot be read.
+fn ragdoll(root: &Path) -> Option<Chaotic> {
+    let name = "ragdoll-on-stairs";
     let text = std::fs::read_to_string(root.join(format!("fixtures/scenes/{name}.toml"))).ok()?;
-    Some(Chaotic { name: name.to_owned(), text, tier: Tier::Stepped, duration_s })
+    let text = text.replace("friction = 0.4", "friction = 0.4\nrestitution = 0.95");
+    let text = text.replace("velocity = [1.2, 0, 0]", "velocity = [1.5, 0.4, 1.0]");
+    Some(Chaotic { name: format!("{name}, of rubber"), text, tier: Tier::Stepped, duration_s: 4.2 })
 }

@@ -40,6 +40,8 @@ pub struct Horizon {
     pub told_s: Option<f64>,
     /// Duration of the run, s.
     pub duration_s: f64,
+    /// The largest distance at the end, median, of a body's size.
+    pub apart: f64,
     /// Why there is none.
     pub why: Option<String>,
 }
@@ -61,7 +63,7 @@ impl fmt::Display for Horizon {
         let [first, last] = self.range_s;
         match self.true_s {
             Some(truth) => write!(f, "true {truth:7.3} s ({first:.3} to {last:.3}, of {}) ", self.duration_s)?,
-            None => write!(f, "not reached in {} s ", self.duration_s)?,
+            None => write!(f, "not reached in {} s: {:.1e} of a body at its end ", self.duration_s, self.apart)?,
         }
         match self.told_s {
             Some(told) => write!(f, "told {told:7.3} s{}", if self.is_right() { "" } else { ": wrong" }),
@@ -98,32 +100,48 @@ pub fn horizons(root: &Path, only: &str, each: impl Fn(&Horizon) + Sync) -> Vec<
 fn horizon(chaotic: &Chaotic) -> Horizon {
     let name = format!("{} ({})", chaotic.name, chaotic.tier.name());
     let duration_s = chaotic.duration_s;
-    let none = Horizon { name, true_s: None, range_s: [f64::NAN; 2], told_s: None, duration_s, why: None };
+    let none =
+        Horizon { name, true_s: None, range_s: [f64::NAN; 2], told_s: None, duration_s, apart: f64::NAN, why: None };
     match measured(chaotic) {
         Err(error) => Horizon { why: Some(error.to_string().replace('\n', " ")), ..none },
-        Ok((told_s, mut left)) => {
-            left.sort_by(f64::total_cmp);
+        Ok(Measured { told_s, mut left_s, mut apart }) => {
+            left_s.sort_by(f64::total_cmp);
+            apart.sort_by(f64::total_cmp);
+            let left = left_s;
             let finite = || left.iter().copied().filter(|t| t.is_finite());
             let range_s = [finite().next().unwrap_or(f64::NAN), finite().next_back().unwrap_or(f64::NAN)];
             let true_s = left.get(left.len() / 2).copied().filter(|t| t.is_finite());
-            Horizon { true_s, range_s, told_s, ..none }
+            let apart = apart.get(apart.len() / 2).copied().unwrap_or(f64::NAN);
+            Horizon { true_s, range_s, told_s, apart, ..none }
         }
     }
 }
 
-/// The horizon that the undisturbed run tells, and when each disturbed run leaves it, s; infinite where it does not.
-fn measured(chaotic: &Chaotic) -> Result<(Option<f64>, Vec<f64>), Box<dyn Error>> {
+/// What is measured of a scene.
+struct Measured {
+    /// The horizon that the undisturbed run tells, s.
+    told_s: Option<f64>,
+    /// When each disturbed run leaves it, s; infinite where it does not.
+    left_s: Vec<f64>,
+    /// How far each is from it at the end, of a body's size.
+    apart: Vec<f64>,
+}
+
+/// Runs a scene undisturbed and disturbed.
+fn measured(chaotic: &Chaotic) -> Result<Measured, Box<dyn Error>> {
     let scene = loaded(chaotic, &chaotic.text)?;
     let sizes = Sizes::of(&scene);
     let undisturbed = run(&scene)?;
-    let mut left = Vec::new();
+    let (mut left_s, mut apart) = (Vec::new(), Vec::new());
     for seed in 0..DISTURBED {
         let trial = run(&loaded(chaotic, &disturbed(&chaotic.text, seed)?)?)?;
         let rows = undisturbed.rows.iter().zip(&trial.rows);
-        let first = rows.zip(&trial.times_s).find(|((a, b), _)| sizes.between(a, b) >= LEFT);
-        left.push(first.map_or(f64::INFINITY, |(_, t)| *t));
+        let far: Vec<f64> = rows.map(|(a, b)| sizes.between(a, b)).collect();
+        let first = far.iter().zip(&trial.times_s).find(|(far, _)| **far >= LEFT);
+        left_s.push(first.map_or(f64::INFINITY, |(_, t)| *t));
+        apart.push(far.last().copied().unwrap_or(f64::NAN));
     }
-    Ok((undisturbed.told.horizon_s, left))
+    Ok(Measured { told_s: undisturbed.told.horizon_s, left_s, apart })
 }
 
 fn loaded(chaotic: &Chaotic, text: &str) -> Result<Scene, Box<dyn Error>> {

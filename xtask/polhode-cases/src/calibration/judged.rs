@@ -2,11 +2,11 @@
 
 use super::distance::Sizes;
 use super::known::Known;
-use super::setting::{sampled, in_tier, law_of};
+use super::setting::{in_tier, law_of, sampled};
 use super::trial::{NoTrial, Trial};
 use super::truth::{TrueMotion, Unknown};
-use polhode::Scene;
 use polhode::BodyId;
+use polhode::Scene;
 use polhode::scene::{ImpactLaw, Tier};
 use polhode::tier::TierFeature;
 use std::error::Error;

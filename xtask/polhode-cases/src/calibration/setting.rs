@@ -1,7 +1,7 @@
 //! The same scene by other methods: in each tier, at the tightest, and at steps that share nothing.
 
-use polhode::scene::{ImpactLaw, Method, Tier};
 use polhode::Scene;
+use polhode::scene::{ImpactLaw, Method, Tier};
 use std::error::Error;
 
 /// Step of the tier `stepped`, s.
@@ -25,9 +25,12 @@ fn laws(method: &Method) -> Method {
     }
 }
 
-/// The tier of a scene.
+/// The tier of a scene: the one that it names, or that whose response it names.
 pub(super) fn tier_of(scene: &Scene) -> Tier {
-    scene.method().tier.unwrap_or_default()
+    let method = scene.method();
+    let of_response =
+        || Tier::ALL.into_iter().find(|tier| method.response.is_some_and(|own| tier.facts().own_response == Some(own)));
+    method.tier.or_else(of_response).unwrap_or_default()
 }
 
 /// The scene as a tier runs it: as it is if that is its own, else with nothing but its laws. A step (s) is that of the

@@ -1,7 +1,7 @@
 //! All scenes whose motion is known, in the order of their sources.
 
-use super::{by_runs, closed, mechanisms, published};
 use super::known::{Known, Place, Truth};
+use super::{by_runs, closed, mechanisms, published};
 use polhode::scene::Tier;
 use std::path::Path;
 

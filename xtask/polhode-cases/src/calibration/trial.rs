@@ -1,8 +1,8 @@
 //! One run of a scene, with what it says of itself.
 
 use super::told::{Told, told};
-use polhode::{BodySample, Event, Flow, Observer, Scene, Simulation, SimulationError};
 use polhode::spatial::Pose;
+use polhode::{BodySample, Event, Flow, Observer, Scene, Simulation, SimulationError};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::time::{Duration, Instant};
 

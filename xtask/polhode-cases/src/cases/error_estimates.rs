@@ -1,0 +1,35 @@
+//! Errors that runs tell beside their true errors, over scenes whose motion is known: the shares of `cargo xtask
+//! calibrate`.
+
+use super::{Amount, CaseResult, Context};
+use crate::calibration::{self, Finding, GOALS, Judged, Known, Shares, judge_all};
+use crate::row::Row;
+
+const CASE: &str = "error estimates";
+
+/// The plain run takes one scene in so many.
+const PLAIN: usize = 10;
+
+/// What the shares are of.
+const WHAT: [&str; 3] = ["at least a tenth of the true error", "at least a hundredth", "at most 100 times it"];
+
+/// The shares of all tiers that tell errors; a share below its goal fails.
+pub(super) fn rows(context: &Context) -> CaseResult {
+    let all = calibration::all(&context.root);
+    let every = if context.amount == Amount::Full { 1 } else { PLAIN };
+    let meant: Vec<&Known> = all.iter().step_by(every).collect();
+    let judged = judge_all(&meant, |_| {});
+    let mut rows = Vec::new();
+    for tier in calibration::tiers(&judged) {
+        let shares = Shares::of(judged.iter().filter(|one| one.tier == tier));
+        for ((what, goal), met) in WHAT.iter().zip(GOALS).zip(shares.met) {
+            let quantity = format!("{}: share of {} runs not told to {what}", tier.name(), shares.compared);
+            rows.push(Row::at_most(CASE, &quantity, 1.0 - goal, 1.0 - met));
+        }
+    }
+    let failed = |one: &&Judged| matches!(one.finding, Finding::Failed(_));
+    let named: Vec<&str> = judged.iter().filter(failed).map(|one| one.name.as_str()).collect();
+    let named = if named.is_empty() { "none".to_owned() } else { named.join(", ") };
+    rows.push(Row::exact(CASE, &format!("of {} scenes, those that fail", meant.len()), "none", named));
+    Ok(rows)
+}
