@@ -1,6 +1,7 @@
 //! Scenes whose motion is known from the tier `accurate` at its tightest: random mechanisms and contacts, scenes that
 //! were reported, and those that ship.
 
+use super::answers;
 use super::known::{Copy, Known, MakeScene, Truth};
 use super::setting::{for_so_long, tier_of};
 use glam::{DQuat, DVec3};
@@ -145,10 +146,13 @@ fn files(root: &Path, folder: &str, source: &str) -> Vec<Known> {
 fn file(path: PathBuf, source: &str) -> Known {
     let stem = path.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
     let mut tiers = vec![Tier::Accurate, Tier::Stepped];
-    let own = polhode_scene::load(&path).map(|scene| tier_of(&scene));
+    let loaded = polhode_scene::load(&path).ok();
     // Springs have a law of their own, which no other tier computes.
-    tiers.extend(own.ok().filter(|own| *own != Tier::Penalty && !tiers.contains(own)));
+    let own = loaded.as_ref().map(tier_of).filter(|own| *own != Tier::Penalty && !tiers.contains(own));
+    tiers.extend(own);
+    let answer = loaded.as_ref().and_then(|scene| answers::motion(&stem, scene));
+    let truth = answer.map_or(Truth::Run(None), Truth::Motion);
     let most_s = SHORTER_S.iter().find(|(name, _)| *name == stem).map_or(SHIPPED_S, |(_, most_s)| *most_s);
     let scene: MakeScene = Box::new(move || for_so_long(polhode_scene::load(&path)?, most_s));
-    Known { name: format!("{source}/{stem}"), scene, truth: Truth::Run(None), tiers, step_s: None }
+    Known { name: format!("{source}/{stem}"), scene, truth, tiers, step_s: None }
 }

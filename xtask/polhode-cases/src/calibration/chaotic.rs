@@ -139,7 +139,7 @@ fn billiard(seed: u64) -> Chaotic {
             place[0], place[1]
         );
     }
-    for number in 0..(1 + seed % 2) {
+    for number in 0..=seed % 2 {
         let (x, y) = if number == 0 { (0.3, -0.5) } else { (0.6, 0.7) };
         let angle = random.between(0.0, std::f64::consts::TAU);
         let _ = writeln!(

@@ -33,6 +33,9 @@ pub(super) type MakeScene = Box<dyn Fn() -> Result<Scene, Box<dyn Error>> + Send
 /// Where bodies are after a time, s.
 pub(super) type Motion = Box<dyn Fn(f64) -> Vec<Place> + Send + Sync>;
 
+/// Takes the poses of all bodies of a copy to those of the scene as it is.
+pub(super) type Undo = Box<dyn Fn(&mut Vec<Pose>) + Send + Sync>;
+
 /// What is known of a motion.
 pub(super) enum Truth {
     /// The places of some bodies at any time, from a closed form or a reference.
@@ -48,7 +51,7 @@ pub(super) struct Copy {
     /// Makes it.
     pub(super) scene: MakeScene,
     /// Takes the poses of all its bodies to those of the scene as it is, in its order.
-    pub(super) undone: Box<dyn Fn(&mut Vec<Pose>) + Send + Sync>,
+    pub(super) undone: Undo,
 }
 
 /// What is known of where a body is.

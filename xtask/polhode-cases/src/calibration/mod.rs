@@ -13,6 +13,7 @@
 //! | `mechanisms` | pendulums, chains, loops and tops whose motion is known |
 //! | `oracles` | motions of pendulums and chains from their own equations |
 //! | `by_runs` | scenes known from the tier `accurate` at its tightest |
+//! | `answers` | closed forms of scenes that were reported as wrong |
 //! | `chaotic` | twenty scenes whose motion is chaotic |
 //! | `horizons` | when a difference of rounding has grown to a hundredth of a body |
 //! | `setting` | a scene in a tier, and at the tightest |
@@ -26,6 +27,7 @@
 //! | `table` | what is printed |
 
 mod all_cores;
+mod answers;
 mod by_runs;
 mod chaotic;
 pub(crate) mod closed;

@@ -5,6 +5,9 @@ use crate::cases::bodies::GRAVITY;
 /// Longest step of the integration, s: RK4 leaves less than rounding of motions of some seconds.
 const STEP_S: f64 = 2e-4;
 
+/// Accelerations of angles with these rates, rad/s^2.
+type Accelerations<'a> = dyn Fn(&[f64], &[f64]) -> Vec<f64> + 'a;
+
 /// Angles and their rates, rad and rad/s.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Angles {
@@ -24,7 +27,7 @@ impl Angles {
     }
 
     /// The angles after a time (s) of motion with these accelerations.
-    pub(super) fn after(&self, t: f64, accelerations: &dyn Fn(&[f64], &[f64]) -> Vec<f64>) -> Vec<f64> {
+    pub(super) fn after(&self, t: f64, accelerations: &Accelerations<'_>) -> Vec<f64> {
         let steps = (t / STEP_S).ceil();
         let mut now = self.clone();
         for _ in 0..steps as u64 {
@@ -39,7 +42,7 @@ impl Angles {
     }
 
     /// One step of RK4.
-    fn stepped(&self, h: f64, accelerations: &dyn Fn(&[f64], &[f64]) -> Vec<f64>) -> Self {
+    fn stepped(&self, h: f64, accelerations: &Accelerations<'_>) -> Self {
         let slope = |at: &Self| Self { angles: at.rates.clone(), rates: accelerations(&at.angles, &at.rates) };
         let first = slope(self);
         let second = slope(&self.moved(0.5 * h, &first));

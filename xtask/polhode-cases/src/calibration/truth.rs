@@ -50,7 +50,9 @@ impl TrueMotion {
             Some(copy) => {
                 let placed = copied(copy, scene).map_err(|error| Unknown(format!("its copy: {error}")))?;
                 let mut rows = standard(&placed, law, Standard::Beside)?.rows;
-                rows.iter_mut().for_each(|row| (copy.undone)(row));
+                for row in &mut rows {
+                    (copy.undone)(row);
+                }
                 rows
             }
         };

@@ -14,6 +14,7 @@ const PLAIN: usize = 10;
 const WHAT: [&str; 3] = ["at least a tenth of the true error", "at least a hundredth", "at most 100 times it"];
 
 /// The shares of all tiers that tell errors; a share below its goal fails.
+#[allow(clippy::unnecessary_wraps, reason = "cases give a result")]
 pub(super) fn rows(context: &Context) -> CaseResult {
     let all = calibration::all(&context.root);
     let every = if context.amount == Amount::Full { 1 } else { PLAIN };
