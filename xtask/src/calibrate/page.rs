@@ -55,9 +55,10 @@ fn document(judged: &[Judged]) -> String {
          rows of some scenes.\n\n\
          ![told errors against true ones](figures/error-estimates.svg)\n\n\
          The true error is the largest distance of any point of a body from where it belongs, of the size of the body, \
-         over all samples\nbefore the horizon of the run. It should be told to at least {TOO_LOW} of itself in {low} % \
-         of all runs, to at least {FAR_TOO_LOW} in {far} %, and to\nat most {TOO_HIGH} times itself in {high} %. Errors \
-         below {ROUNDING:e} are rounding, and count as met.\n\n"
+         over all\nsamples \
+         before the horizon of the run. It should be told to at least {TOO_LOW} of itself in {low} % of all runs, to \
+         at least\n{FAR_TOO_LOW} in {far} %, and to at most {TOO_HIGH} times itself in {high} %. An \
+         error\nbelow {ROUNDING:e} is rounding: it needs not be told, and counts as that where more is told.\n\n"
     );
     table(&mut text, &SHARE_COLUMNS, &calibration::share_rows(judged));
     text.push_str("\nRuns that tell their errors worst:\n\n");
@@ -72,8 +73,8 @@ fn document(judged: &[Judged]) -> String {
     table(&mut text, &["source", "what", "scenes"], &sources(judged));
     text.push_str(
         "\nWhat is known from runs is known from two: one at a tolerance of 1e-13 and a step of 3 ms, and one of the \
-         scene turned, moved and\nin another order, or at another step. Samples count as long as the two differ by less \
-         than a third of the error that is judged.\n",
+         scene turned, moved and\nin another order, or at another step. Samples count as long as the two differ by \
+         less than a third of the error that is judged.\n",
     );
     text
 }

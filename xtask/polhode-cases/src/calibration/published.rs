@@ -1,7 +1,7 @@
 //! Scenes of the validation cases whose motion is known in closed form, and those in which nothing moves.
 
 use super::known::{Known, Place};
-use super::sources::ALL_TIERS;
+use super::setting::ALL_TIERS;
 use crate::cases::bodies::{ball_on_x, bouncy, rotor};
 use crate::cases::exact_drift::Hard;
 use crate::cases::random_throws::Throw;

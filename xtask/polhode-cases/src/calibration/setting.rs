@@ -4,6 +4,9 @@ use polhode::Scene;
 use polhode::scene::{ImpactLaw, Method, Tier};
 use std::error::Error;
 
+/// Tiers that are compared with closed forms; the tier `penalty` has a law of its own.
+pub(super) const ALL_TIERS: [Tier; 5] =
+    [Tier::Accurate, Tier::Stepped, Tier::Fast, Tier::Thesis, Tier::MicroCollisions];
 /// Step of the tier `stepped`, s.
 pub(super) const STEPPED_S: f64 = 0.002;
 /// Tolerance of a run that stands for the truth.

@@ -1,13 +1,10 @@
 //! All scenes whose motion is known, in the order of their sources.
 
 use super::known::{Known, Place, Truth};
+use super::setting::ALL_TIERS;
 use super::{by_runs, closed, mechanisms, published};
-use polhode::scene::Tier;
 use std::path::Path;
 
-/// Tiers that are compared with closed forms; the tier `penalty` has a law of its own.
-pub(super) const ALL_TIERS: [Tier; 5] =
-    [Tier::Accurate, Tier::Stepped, Tier::Fast, Tier::Thesis, Tier::MicroCollisions];
 /// The number of the body that moves in a closed form.
 const BODY: usize = 1;
 
