@@ -26,6 +26,9 @@ pub(crate) struct Options {
     /// Only one scene in so many.
     #[arg(long, default_value_t = 1)]
     every: usize,
+    /// Draw other random scenes: the number of the draw.
+    #[arg(long, default_value_t = 0)]
+    draw: u64,
     /// Write all rows to a file.
     #[arg(long)]
     json: Option<PathBuf>,
@@ -57,7 +60,7 @@ pub(crate) fn run(options: &Options, root: &Path) -> Result<ExitCode, Box<dyn Er
     if options.horizons {
         return Ok(find_horizons(options, root));
     }
-    let all = calibration::all(root);
+    let all = calibration::all(root, options.draw);
     let is_meant = |known: &&Known| options.only.as_ref().is_none_or(|only| known.name.starts_with(only.as_str()));
     let meant: Vec<&Known> = all.iter().filter(is_meant).step_by(options.every.max(1)).collect();
     let judged = judge_all(&meant, |one| println!("{one}"));

@@ -55,10 +55,10 @@ const SHORTER_S: [(&str, f64); 24] = [
 /// A seed of contacts that crowd, and the piece of it that is computed, s.
 const CROWDED: (u64, f64) = (18, 0.1);
 
-/// All of them, of the workspace in this folder.
-pub(super) fn all(root: &Path) -> Vec<Known> {
-    let mut all: Vec<Known> = (0..MECHANISMS).map(mechanism).collect();
-    all.extend((0..CONTACTS).map(contacts));
+/// All of them, of the workspace in this folder; random ones of a draw.
+pub(super) fn all(root: &Path, draw: u64) -> Vec<Known> {
+    let mut all: Vec<Known> = (MECHANISMS * draw..MECHANISMS * (draw + 1)).map(mechanism).collect();
+    all.extend((CONTACTS * draw..CONTACTS * (draw + 1)).map(contacts));
     all.extend(files(root, "fixtures/reported", "reported"));
     all.extend(files(root, "fixtures/scenes", "shipped"));
     all

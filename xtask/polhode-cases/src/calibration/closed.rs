@@ -22,9 +22,9 @@ pub(crate) struct ClosedForm {
     pub(crate) duration_s: f64,
 }
 
-/// The scenes: every kind with parameters drawn from a seed.
-pub(crate) fn corpus() -> Vec<ClosedForm> {
-    let mut random = SplitMix64::new(SEED);
+/// The scenes of a draw: every kind with parameters drawn from a seed.
+pub(crate) fn corpus(draw: u64) -> Vec<ClosedForm> {
+    let mut random = SplitMix64::new(SEED + draw);
     let mut between = move |low: f64, high: f64| low + (high - low) * random.uniform();
     let mut all = Vec::new();
     for number in 0..OF_A_KIND {

@@ -117,8 +117,8 @@ pub(super) fn chains() -> Result<Vec<Known>, Box<dyn Error>> {
 }
 
 /// Tops that precess without nodding.
-pub(super) fn tops() -> Result<Vec<Known>, Box<dyn Error>> {
-    let mut random = Random(SEED);
+pub(super) fn tops(draw: u64) -> Result<Vec<Known>, Box<dyn Error>> {
+    let mut random = Random(SEED + draw);
     let mut all = Vec::new();
     for number in 0..TOPS {
         let (lean, spin) = (random.between(0.3, 1.4), random.between(15.0, 40.0));

@@ -8,30 +8,30 @@ use std::path::Path;
 /// The number of the body that moves in a closed form.
 const BODY: usize = 1;
 
-/// All of them, of the workspace in this folder.
-pub fn all(root: &Path) -> Vec<Known> {
-    let mut all = closed_forms();
+/// All of them, of the workspace in this folder; random ones are those of a draw, the first of which is 0.
+pub fn all(root: &Path, draw: u64) -> Vec<Known> {
+    let mut all = closed_forms(draw);
     let made = [
-        ("throws", published::throws()),
-        ("slopes", published::slopes()),
-        ("shots", published::shots()),
+        ("throws", published::throws(draw)),
+        ("slopes", published::slopes(draw)),
+        ("shots", published::shots(draw)),
         ("rotations", published::rotations(root)),
-        ("tops", mechanisms::tops()),
+        ("tops", mechanisms::tops(draw)),
         ("joints", mechanisms::pendulums()),
         ("joints", mechanisms::chains()),
-        ("impacts", published::impacts()),
+        ("impacts", published::impacts(draw)),
         ("seams", published::over_seams()),
-        ("still", published::standing()),
+        ("still", published::standing(draw)),
     ];
     for (source, made) in made {
         all.extend(made.unwrap_or_else(|error| vec![Known::failed(source, error.to_string())]));
     }
-    all.extend(by_runs::all(root));
+    all.extend(by_runs::all(root, draw));
     all
 }
 
 /// Scenes of contact and friction in closed form.
-fn closed_forms() -> Vec<Known> {
+fn closed_forms(draw: u64) -> Vec<Known> {
     let known = |form: closed::ClosedForm| {
         let closed::ClosedForm { name, text, position, .. } = form;
         let origin = name.clone();
@@ -43,5 +43,5 @@ fn closed_forms() -> Vec<Known> {
             step_s: None,
         }
     };
-    closed::corpus().into_iter().map(known).collect()
+    closed::corpus(draw).into_iter().map(known).collect()
 }

@@ -55,7 +55,7 @@ pub(super) fn rows(context: &Context) -> CaseResult {
     let program = context.program.path(&context.root)?;
     let every = if context.amount == Amount::Full { 1 } else { PLAIN };
     let mut asked = Vec::new();
-    for (number, known) in corpus().iter().enumerate().step_by(every) {
+    for (number, known) in corpus(0).iter().enumerate().step_by(every) {
         asked.push(ask(program, known, TARGETS[number % TARGETS.len()], context)?);
     }
     let missing = asked.iter().filter(|asked| asked.reached > 1.0).count() as f64 / asked.len() as f64;

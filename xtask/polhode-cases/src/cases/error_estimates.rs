@@ -16,7 +16,7 @@ const WHAT: [&str; 3] = ["at least a tenth of the true error", "at least a hundr
 /// The shares of all tiers that tell errors; a share below its goal fails.
 #[allow(clippy::unnecessary_wraps, reason = "cases give a result")]
 pub(super) fn rows(context: &Context) -> CaseResult {
-    let all = calibration::all(&context.root);
+    let all = calibration::all(&context.root, 0);
     let every = if context.amount == Amount::Full { 1 } else { PLAIN };
     let meant: Vec<&Known> = all.iter().step_by(every).collect();
     let judged = judge_all(&meant, |_| {});
