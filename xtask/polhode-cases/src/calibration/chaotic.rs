@@ -63,7 +63,7 @@ enum Support {
 
 /// A chain of rods of 1 m at these angles from hanging, at rest.
 fn chain(name: &str, angles: &[f64], support: Support) -> Chaotic {
-    let (tier, duration_s) = (Tier::Accurate, if let Support::Driven(_) = support { 14.0 } else { 60.0 });
+    let (tier, duration_s) = (Tier::Accurate, if let Support::Driven(_) = support { 14.0 } else { 45.0 });
     let mut text = head(name, tier, duration_s, 9.81);
     if let Support::Driven(frequency) = support {
         let _ = writeln!(
@@ -190,7 +190,7 @@ impl Thrown {
 
 /// Dice that are thrown on a floor, and tumble over each other.
 fn dice(seed: u64) -> Chaotic {
-    let (name, tier, duration_s) = (format!("dice {seed}"), Tier::Stepped, 8.0);
+    let (name, tier, duration_s) = (format!("dice {seed}"), Tier::Stepped, 5.0);
     let mut random = Random(100 + seed);
     let mut text = head(&name, tier, duration_s, 9.81);
     text.push_str("[materials.m]\nfriction = 0.3\nrestitution = 0.95\n");
@@ -234,7 +234,7 @@ fn heap(name: &str, count: u32, thrown: Thrown) -> Chaotic {
 
 /// Dominoes that bounce against each other as they fall.
 fn dominoes() -> Chaotic {
-    let (name, tier, duration_s) = ("dominoes".to_owned(), Tier::Stepped, 1.5);
+    let (name, tier, duration_s) = ("dominoes".to_owned(), Tier::Stepped, 1.0);
     let mut text = head(&name, tier, duration_s, 9.81);
     text.push_str("[materials.m]\nfriction = 0.4\nrestitution = 0.75\n");
     walls(&mut text, "m", &[[0.0, 0.0, 1.0]], 0.0);

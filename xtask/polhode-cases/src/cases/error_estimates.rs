@@ -13,20 +13,22 @@ const PLAIN: usize = 10;
 /// What the shares are of.
 const WHAT: [&str; 3] = ["at least a tenth of the true error", "at least a hundredth", "at most 100 times it"];
 
-/// The shares of all tiers that tell errors; a share below its goal fails.
+/// The shares of the runs of all tiers, and those of each.
 #[allow(clippy::unnecessary_wraps, reason = "cases give a result")]
 pub(super) fn rows(context: &Context) -> CaseResult {
     let all = calibration::all(&context.root, 0);
     let every = if context.amount == Amount::Full { 1 } else { PLAIN };
     let meant: Vec<&Known> = all.iter().step_by(every).collect();
     let judged = judge_all(&meant, |_| {});
-    let mut rows = Vec::new();
+    let all = Shares::of(judged.iter());
+    let row = |((what, goal), met): ((&&str, f64), f64)| {
+        Row::at_most(CASE, &format!("share of {} runs that do not tell {what}", all.compared), 1.0 - goal, 1.0 - met)
+    };
+    let mut rows: Vec<Row> = WHAT.iter().zip(GOALS).zip(all.met).map(row).collect();
     for tier in calibration::tiers(&judged) {
         let shares = Shares::of(judged.iter().filter(|one| one.tier == tier));
-        for ((what, goal), met) in WHAT.iter().zip(GOALS).zip(shares.met) {
-            let quantity = format!("{}: share of {} runs not told to {what}", tier.name(), shares.compared);
-            rows.push(Row::at_most(CASE, &quantity, 1.0 - goal, 1.0 - met));
-        }
+        let quantity = format!("{}: those shares, of {} runs", tier.name(), shares.compared);
+        rows.push(Row::info(CASE, &quantity, "", shares.met.map(|met| 1.0 - met)));
     }
     let failed = |one: &&Judged| matches!(one.finding, Finding::Failed(_));
     let named: Vec<&str> = judged.iter().filter(failed).map(|one| one.name.as_str()).collect();
