@@ -9,6 +9,7 @@
 //! | [`book`] | README and book: what they print is run |
 //! | [`verify`] | the command: which steps, table, exit code |
 //! | [`schedule`] | which steps run beside each other, and how long each takes |
+//! | [`calibrate`] | the command: errors that runs tell beside their true errors |
 //! | [`census`] | the command: which method answers each solve of rows, and what the next one would give |
 //! | [`cost`] | the command: what accuracy costs, from shipped scenes |
 //! | [`cross`] | the command: golden trajectories on other platforms, bit by bit |
@@ -28,6 +29,7 @@
 //! | [`known`] | rows that are known to fail, with the reason |
 
 mod book;
+mod calibrate;
 mod census;
 mod chain_costs;
 mod commands;
@@ -94,6 +96,8 @@ enum Task {
     RandomScene(random_scene::Options),
     /// Judges random scenes, and prints a line for each that is not right.
     JudgeScenes(random_scenes::Options),
+    /// Compares the error that each run tells with its true error, on scenes whose motion is known.
+    Calibrate(calibrate::Options),
     /// Judges tiers by each other on random mechanisms, and prints a line for each that is not right.
     Judge(tiers_agree::Options),
 }
@@ -117,6 +121,7 @@ impl Task {
             | Self::Licences
             | Self::RandomScene(_)
             | Self::JudgeScenes(_)
+            | Self::Calibrate(_)
             | Self::Judge(_) => false,
         }
     }
@@ -141,6 +146,7 @@ fn main() -> ExitCode {
         Task::ChainCosts(options) => chain_costs::run(&options),
         Task::RandomScene(options) => random_scene::run(&options),
         Task::JudgeScenes(options) => random_scenes::run(&options),
+        Task::Calibrate(options) => verify::workspace_root().and_then(|root| calibrate::run(&options, &root)),
         Task::Judge(options) => tiers_agree::run(&options),
     };
     match outcome {

@@ -3,6 +3,7 @@
 //! | module | holds |
 //! |---|---|
 //! | [`cases`] | the cases, one file per group |
+//! | [`calibration`] | errors that runs tell beside their true errors |
 //! | [`row`] | one result |
 //! | [`mod@reference`] | the values that cases are compared with |
 //! | [`mod@cargo`] | programs that a case builds and runs |
@@ -11,6 +12,7 @@
 //! | [`rigid_ipc`] | the command: scenes of the Rigid IPC suite in our format |
 //! | [`scene_units`] | a scene file in other units |
 
+pub mod calibration;
 pub mod cargo;
 pub mod cases;
 pub mod elastic_table;

@@ -12,11 +12,11 @@ use std::error::Error;
 pub(super) const BRICK: DVec3 = DVec3::new(1.0, 0.5, 0.25);
 
 /// Gravity of the cases, m/s^2.
-pub(super) const GRAVITY: f64 = 9.81;
+pub(crate) const GRAVITY: f64 = 9.81;
 
 /// A material of this restitution without friction. Two materials combine to the larger restitution, so that giving
 /// it to one of two bodies is enough.
-pub(super) fn bouncy(restitution: f64) -> Result<Material, Box<dyn Error>> {
+pub(crate) fn bouncy(restitution: f64) -> Result<Material, Box<dyn Error>> {
     Ok(Material::new(format!("e = {restitution}")).with_restitution(restitution)?)
 }
 
@@ -28,7 +28,7 @@ pub(super) fn cuboid(name: &str, size: DVec3, mass_kg: f64, center: DVec3) -> Re
 }
 
 /// A solid sphere that moves along x.
-pub(super) fn ball_on_x(name: &str, radius: f64, mass_kg: f64, x: f64, speed: f64) -> Result<Body, Box<dyn Error>> {
+pub(crate) fn ball_on_x(name: &str, radius: f64, mass_kg: f64, x: f64, speed: f64) -> Result<Body, Box<dyn Error>> {
     let properties = solid_sphere(radius, Mass::new(mass_kg)?)?;
     let shape = Geometry::from(Shape::sphere(radius)?);
     let velocity = Velocity::new(DVec3::X * speed, DVec3::ZERO);
@@ -47,7 +47,7 @@ pub(super) fn half_space(name: &str, normal: UnitVector) -> Body {
 }
 
 /// A body without a shape, of 1 kg and these principal moments, kg m^2.
-pub(super) fn rotor(name: &str, moments: DVec3, angular_velocity: DVec3) -> Result<Body, Box<dyn Error>> {
+pub(crate) fn rotor(name: &str, moments: DVec3, angular_velocity: DVec3) -> Result<Body, Box<dyn Error>> {
     let properties = MassProperties::new(Mass::new(1.0)?, DVec3::ZERO, Inertia::from_diagonal(moments)?);
     Ok(Body::movable(name, properties).velocity(Velocity::new(DVec3::ZERO, angular_velocity)))
 }

@@ -29,20 +29,25 @@ const CONSERVATION: f64 = 1e-12;
 
 /// One line of the fixture.
 #[derive(Debug)]
-struct Hard {
-    kind: String,
+pub(crate) struct Hard {
+    /// The kind of body.
+    pub(crate) kind: String,
     is_long: bool,
-    moments: DVec3,
-    momentum: DVec3,
-    time: f64,
-    attitude: Rotation,
+    /// Principal moments, kg m^2.
+    pub(crate) moments: DVec3,
+    /// Angular momentum in body axes at the start, kg m^2/s.
+    pub(crate) momentum: DVec3,
+    /// May be negative, s.
+    pub(crate) time: f64,
+    /// After that time, from the identity.
+    pub(crate) attitude: Rotation,
     momentum_then: DVec3,
     /// Condition numbers of attitude and momentum.
     condition: [f64; 2],
 }
 
 impl Hard {
-    fn parse(line: &str) -> Result<Self, Box<dyn Error>> {
+    pub(crate) fn parse(line: &str) -> Result<Self, Box<dyn Error>> {
         let mut fields = line.split(',');
         let mut word = || fields.next().ok_or_else(|| format!("too few columns: {line}"));
         let (kind, span) = (word()?.to_owned(), word()?.to_owned());

@@ -300,6 +300,22 @@ pub(super) fn fc_15(context: &Context) -> CaseResult {
     ])
 }
 
+/// What stands by friction: ladders, card houses of two cards, wedges and balls between plates.
+pub(crate) fn standing() -> Result<Vec<(String, Scene)>, Box<dyn Error>> {
+    let mut all = Vec::new();
+    for (floor, at_wall) in [(0.3, 0.0), (0.3, 0.4), (0.5, 0.5)] {
+        let limit = f64::atan((1.0 - floor * at_wall) / (2.0 * floor));
+        all.push((format!("ladder, friction {floor} and {at_wall}"), ladder(1.0, limit + 0.05, floor, at_wall)?));
+    }
+    for (name, card) in [("rods", Card::Rod), ("cards", Card::Box(0.002))] {
+        all.push((format!("two {name} that lean"), card_house(card, 15.0f64.to_radians(), 0.5)?));
+    }
+    for (name, is_wedge) in [("wedge", true), ("ball", false)] {
+        all.push((format!("{name} between plates"), squeezed(10.0f64.to_radians(), 0.3, is_wedge)?));
+    }
+    Ok(all)
+}
+
 /// The half angle (rad) above which a wedge of this friction is driven out.
 fn zero_of_lock(friction: f64) -> Result<f64, Box<dyn Error>> {
     threshold(0.05, 0.6, |half| is_in_equilibrium(&squeezed(half, friction, true)?))

@@ -21,11 +21,11 @@ const LENGTH: f64 = 0.5;
 /// Moments about the centre of mass, kg m^2.
 const MOMENTS: DVec3 = DVec3::new(0.75, 0.75, AXIAL);
 /// Moment about the axis, kg m^2.
-const AXIAL: f64 = 0.5;
+pub(crate) const AXIAL: f64 = 0.5;
 /// Moment across the axis about the tip, kg m^2.
-const ACROSS: f64 = 1.0;
+pub(crate) const ACROSS: f64 = 1.0;
 /// `m g l`, N m.
-const WEIGHT: f64 = 4.905;
+pub(crate) const WEIGHT: f64 = 4.905;
 
 /// How far the axis may be from that of the reduced motion after ten seconds by rows: what the reference is held to.
 const BY_ROWS: f64 = 1e-9;
@@ -44,12 +44,12 @@ pub(super) fn top(inclination: f64, angular_velocity: DVec3) -> Result<SceneBuil
 }
 
 /// A top with this spin (total angular velocity along its axis) that precesses at this rate without nodding.
-fn precessing(inclination: f64, spin: f64, rate: f64) -> Result<SceneBuilder, Box<dyn Error>> {
+pub(crate) fn precessing(inclination: f64, spin: f64, rate: f64) -> Result<SceneBuilder, Box<dyn Error>> {
     let axis = lean(inclination).rotate(DVec3::Z);
     top(inclination, axis * spin + (DVec3::Z - axis * axis.z) * rate)
 }
 
-fn lean(inclination: f64) -> Rotation {
+pub(crate) fn lean(inclination: f64) -> Rotation {
     Rotation::from_rotation_vector(DVec3::X * inclination)
 }
 

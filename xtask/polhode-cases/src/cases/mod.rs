@@ -8,6 +8,7 @@
 //! |---|---|
 //! | `case` | a case, and how it gives rows whatever happens |
 //! | `context` | what every case may use |
+//! | `error_estimates` | told errors beside true ones; not in the list yet |
 //! | `list` | all cases, in the order in which they run |
 //! | `run` | runs of scenes, and those of the shipped ones, each made once |
 //! | `bodies` | bodies that several cases are built from |
@@ -22,7 +23,7 @@
 
 mod accuracy_choice;
 mod arches;
-mod bodies;
+pub(crate) mod bodies;
 mod case;
 mod chung_ooi;
 mod context;
@@ -34,7 +35,9 @@ mod decomposition;
 mod diamonds;
 mod effects;
 mod elastic_body;
-mod exact_drift;
+#[allow(dead_code, reason = "a case of the list once runs tell their errors as they should")]
+mod error_estimates;
+pub(crate) mod exact_drift;
 mod falling_shapes;
 mod fast_tier;
 mod feature_numbers;
@@ -43,15 +46,15 @@ mod friction_effects;
 mod friction_invariances;
 mod friction_scenes;
 mod frictional_impacts;
-mod frictional_statics;
+pub(crate) mod frictional_statics;
 mod heaps;
-mod heavy_tops;
+pub(crate) mod heavy_tops;
 mod impact_chains;
 mod impact_laws;
 mod impacts;
 mod impacts_every_way;
 mod invariances;
-mod joints;
+pub(crate) mod joints;
 mod ledger;
 mod list;
 mod long_runs;
@@ -70,31 +73,31 @@ mod random_impacts;
 mod random_pairs;
 pub mod random_scenes;
 mod random_solids;
-mod random_throws;
+pub(crate) mod random_throws;
 mod reductions;
 mod rest_every_way;
 mod resting_contact;
 mod rigid_ipc;
 mod rocking_and_toppling;
 mod rolling_disc;
-mod rough_plane;
+pub(crate) mod rough_plane;
 mod run;
-mod seams;
+pub(crate) mod seams;
 mod setting;
 mod sliding;
 mod sliding_and_spinning;
 mod sliding_height;
-mod slipping_and_rolling;
-mod slopes;
+pub(crate) mod slipping_and_rolling;
+pub(crate) mod slopes;
 mod snapshots;
 mod speed;
 mod spinning_scenes;
 mod stability;
 mod stackings;
-mod stacks;
-mod stacks_on_slopes;
+pub(crate) mod stacks;
+pub(crate) mod stacks_on_slopes;
 mod stiffness_limit;
-mod structures;
+pub(crate) mod structures;
 mod table_edge;
 mod thesis_forces;
 mod thesis_tier;

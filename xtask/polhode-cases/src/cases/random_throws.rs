@@ -32,15 +32,15 @@ const WALL: f64 = 100.0;
 
 /// A scene of one body and one or two walls, and the state that the body must end in.
 #[derive(Debug)]
-pub(super) struct Throw {
+pub(crate) struct Throw {
     /// What it is.
-    pub(super) name: String,
+    pub(crate) name: String,
     /// The body is the first one.
-    pub(super) scene: Scene,
+    pub(crate) scene: Scene,
     /// Of the body at the end.
     pub(super) expected: Velocity,
     /// Its place at the end, m.
-    pub(super) place: DVec3,
+    pub(crate) place: DVec3,
 }
 
 /// What is thrown.
@@ -197,7 +197,7 @@ impl Flight {
 
 impl Throw {
     /// The throw of a random number.
-    pub(super) fn random(seed: u64) -> Result<Self, Box<dyn Error>> {
+    pub(crate) fn random(seed: u64) -> Result<Self, Box<dyn Error>> {
         let mut random = Random(seed);
         let (body, wall) = (thrown(&mut random)?, Wall::any(&mut random));
         let friction = random.between(0.0, 2.0).min(body.most_friction);

@@ -26,7 +26,7 @@ pub(super) fn rough(friction: f64) -> Result<Material, Box<dyn Error>> {
 
 /// A plane through the origin.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Plane {
+pub(crate) struct Plane {
     /// Turns the plane's directions into the world's.
     turn: Rotation,
 }
@@ -36,7 +36,7 @@ impl Plane {
     pub(super) const LEVEL: Self = Self { turn: Rotation::IDENTITY };
 
     /// A plane at this angle (rad) to the level one, downhill along x.
-    pub(super) fn inclined(angle: f64) -> Self {
+    pub(crate) fn inclined(angle: f64) -> Self {
         Self { turn: Rotation::from_rotation_vector(DVec3::Y * angle) }
     }
 
@@ -46,7 +46,7 @@ impl Plane {
     }
 
     /// A vector given in the plane's directions, world.
-    pub(super) fn world(self, vector: DVec3) -> DVec3 {
+    pub(crate) fn world(self, vector: DVec3) -> DVec3 {
         self.turn.rotate(vector)
     }
 

@@ -105,15 +105,30 @@ impl Tiles {
     }
 }
 
-/// The relative change of the velocity of a slider over some bodies; infinite where the run is degraded.
-fn change(under: Vec<Body>, slider: &Slider, velocity: DVec3, way: f64) -> Result<f64, Box<dyn Error>> {
+/// A slider that crosses some bodies, the last body of the scene.
+fn crossing(under: Vec<Body>, slider: &Slider, velocity: DVec3, way: f64) -> Result<Scene, Box<dyn Error>> {
     let across = 0.5 * way * velocity.y / velocity.x;
     let start = DVec3::new(0.5 * TILE.x, -across, 0.0);
     let mut scene = Scene::builder("seams").duration_s(way / velocity.x);
     for body in under {
         scene = scene.body(body);
     }
-    let scene = scene.body(slider.body(start, velocity)?).build()?;
+    Ok(scene.body(slider.body(start, velocity)?).build()?)
+}
+
+/// Every slider over six tiles, across their seams at an angle: it keeps its velocity and its attitude.
+pub(crate) fn crossings() -> Result<Vec<(&'static str, Scene)>, Box<dyn Error>> {
+    let laid = Tiles { count: 6, gap: 0.0, step: 0.0 };
+    let crossing = |slider: Slider| Ok((slider.name, crossing(laid.bodies()?, &slider, CROSSING, laid.way())?));
+    sliders()?.into_iter().map(crossing).collect()
+}
+
+/// Velocity of those sliders, m/s.
+const CROSSING: DVec3 = DVec3::new(1.0, 0.3, 0.0);
+
+/// The relative change of the velocity of a slider over some bodies; infinite where the run is degraded.
+fn change(under: Vec<Body>, slider: &Slider, velocity: DVec3, way: f64) -> Result<f64, Box<dyn Error>> {
+    let scene = crossing(under, slider, velocity, way)?;
     let report = Simulation::new(&scene)?.run()?;
     let end = report.bodies.last().ok_or("no body")?.state.velocity.linear;
     let is_kept = report.outcome == Outcome::Completed;

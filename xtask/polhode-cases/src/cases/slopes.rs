@@ -161,6 +161,36 @@ pub(super) fn fc_21(context: &Context) -> CaseResult {
     Ok(vec![context.reference.row("FC-21", "mu-,: speed after 1000 s (slides), mu+: 0", speeds)?])
 }
 
+/// A box at rest on a slope, and what it does.
+pub(crate) struct OnSlope {
+    /// The box is its first body.
+    pub(crate) scene: Scene,
+    plane: Plane,
+    /// Downhill, without what friction holds, m/s^2; none where it stays.
+    acceleration: Option<f64>,
+}
+
+impl OnSlope {
+    /// A box of any size on a slope of any angle and direction, turned about the normal.
+    pub(crate) fn random(random: &mut Random) -> Result<Self, Box<dyn Error>> {
+        let angle = random.between(0.02, 1.2);
+        let plane = Plane::inclined(angle).turned(random.between(0.0, TAU));
+        // A flat box does not tip.
+        let height = random.between(0.05, 0.3);
+        let size = DVec3::new(random.between(1.0, 2.0), random.between(1.0, 2.0), height);
+        let friction = angle.tan() * random.between(0.0, 2.0);
+        let scene = plane.with(plane.lying_box(size, random.between(0.0, TAU), DVec3::ZERO)?, friction)?;
+        let acceleration = GRAVITY * (angle.sin() - friction * angle.cos());
+        let acceleration = (friction < angle.tan()).then_some(acceleration);
+        Ok(Self { scene: scene.duration_s(1.0).build()?, plane, acceleration })
+    }
+
+    /// How far it has moved after a time (s), world, m.
+    pub(crate) fn moved(&self, t: f64) -> DVec3 {
+        self.plane.world(DVec3::X * (0.5 * self.acceleration.unwrap_or_default() * t * t))
+    }
+}
+
 /// Boxes of any size and mass on slopes of any angle and direction, turned about the normal: at rest, and sliding.
 pub(super) fn random_slopes(context: &Context) -> CaseResult {
     /// Slopes at full count.
@@ -170,22 +200,14 @@ pub(super) fn random_slopes(context: &Context) -> CaseResult {
     let (mut worst, mut crept, mut wrong) = (0.0f64, 0.0f64, 0u64);
     let count = context.amount.of(SLOPES);
     for _ in 0..count {
-        let angle = random.between(0.02, 1.2);
-        let plane = Plane::inclined(angle).turned(random.between(0.0, TAU));
-        // A flat box does not tip.
-        let height = random.between(0.05, 0.3);
-        let size = DVec3::new(random.between(1.0, 2.0), random.between(1.0, 2.0), height);
-        let friction = angle.tan() * random.between(0.0, 2.0);
-        let scene = plane.with(plane.lying_box(size, random.between(0.0, TAU), DVec3::ZERO)?, friction)?;
-        let scene = scene.duration_s(1.0).build()?;
-        let acceleration = GRAVITY * (angle.sin() - friction * angle.cos());
-        let distance = moved(plane, &scene)?;
-        if friction >= angle.tan() {
-            crept = crept.max(distance.length());
-            wrong += u64::from(distance.length() > STUCK_M);
-        } else {
+        let slope = OnSlope::random(&mut random)?;
+        let distance = moved(slope.plane, &slope.scene)?;
+        if let Some(acceleration) = slope.acceleration {
             let error = (distance - DVec3::X * (0.5 * acceleration)).length() / acceleration;
             worst = worst.max(error);
+        } else {
+            crept = crept.max(distance.length());
+            wrong += u64::from(distance.length() > STUCK_M);
         }
     }
     Ok(vec![

@@ -26,7 +26,7 @@ pub(super) fn rc_05(context: &Context) -> CaseResult {
 }
 
 /// `n` bricks over the edge of a table at x = 0, all shifted outwards by `offset`, m.
-pub(super) fn overhang(n: usize, offset: f64) -> Result<Scene, Box<dyn Error>> {
+pub(crate) fn overhang(n: usize, offset: f64) -> Result<Scene, Box<dyn Error>> {
     let table = DVec3::new(10.0, 4.0, 1.0);
     let table_center = DVec3::new(-0.5 * table.x, 0.0, -0.5 * table.z);
     let mut builder = Scene::builder("overhang").body(fixed_cuboid("table", table, table_center)?);

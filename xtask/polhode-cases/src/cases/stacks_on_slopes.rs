@@ -84,6 +84,18 @@ fn stack(count: usize, ratio: f64, masses: Masses, placing: Placing) -> Result<S
     Ok(builder.duration_s(1.0).build()?)
 }
 
+/// Stacks of five boxes that stand, with mass ratios from 1 to 1e4.
+pub(crate) fn standing() -> Result<Vec<(String, Scene)>, Box<dyn Error>> {
+    let mut all = Vec::new();
+    for ratio in [1.0, 1e2, 1e4] {
+        for masses in [Masses::Rising, Masses::HeavyTop, Masses::Alternating] {
+            let scene = stack(5, ratio, masses, Placing::turned(10.0))?;
+            all.push((format!("stack on a slope, {masses:?}, ratio {ratio:e}"), scene));
+        }
+    }
+    Ok(all)
+}
+
 /// Whether all bodies are put to rest at once, and the residual of their forces.
 fn rests(scene: &Scene) -> Result<(bool, f64), Box<dyn Error>> {
     let mut simulation = Simulation::new(scene)?;

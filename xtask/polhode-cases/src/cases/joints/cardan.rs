@@ -18,7 +18,7 @@ const DRIVEN_ANGLE: f64 = 1e-11;
 
 /// How the fork of the driving shaft lies at the start.
 #[derive(Clone, Copy)]
-enum Fork {
+pub(crate) enum Fork {
     /// In the plane of both shafts.
     InPlane,
     /// Across it.
@@ -26,7 +26,7 @@ enum Fork {
 }
 
 /// The driving shaft along x, the other one in the plane of x and y; the first turns at 1 rad/s.
-fn shafts(fork: Fork, duration_s: f64) -> super::Result<Scene> {
+pub(crate) fn shafts(fork: Fork, duration_s: f64) -> super::Result<Scene> {
     let other = DVec3::new(FRAC_PI_6.cos(), FRAC_PI_6.sin(), 0.0);
     // The axis of the cross in each shaft: across that shaft, and at right angles to the other one.
     let (own, of_other, ratio) = match fork {

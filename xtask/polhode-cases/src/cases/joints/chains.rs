@@ -19,7 +19,7 @@ const STILL: f64 = 1e-9;
 const LINKS: usize = 4;
 
 /// Four rods of 1 m and 1 kg hung from the origin, at these angles from hanging, at rest.
-fn hung(angles: [f64; LINKS], duration_s: f64) -> super::Result<Scene> {
+pub(crate) fn hung(angles: [f64; LINKS], duration_s: f64) -> super::Result<Scene> {
     let mut scene = scene("hung chain").duration_s(duration_s);
     let mut end = DVec3::ZERO;
     let mut above = None;

@@ -14,7 +14,7 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 const G: f64 = crate::cases::bodies::GRAVITY;
 
 /// Two loops: three uprights and two level bars of 1 m and 1 kg, the upper ends moving with 1 m/s.
-fn four_bar(duration_s: f64) -> super::Result<Scene> {
+pub(crate) fn four_bar(duration_s: f64) -> super::Result<Scene> {
     const LOOPS: usize = 2;
     let mut builder = scene("N-four-bar").duration_s(duration_s);
     let foot = |column: usize| DVec3::X * column as f64;

@@ -14,11 +14,11 @@
 //! | `governor` | IFToMM A05 |
 //! | `shipped` | how far the joints of the shipped scenes are from what they keep |
 
-mod cardan;
-mod chains;
+pub(crate) mod cardan;
+pub(crate) mod chains;
 mod governor;
-mod loops;
-mod pendulums;
+pub(crate) mod loops;
+pub(crate) mod pendulums;
 mod shipped;
 mod squeezer;
 

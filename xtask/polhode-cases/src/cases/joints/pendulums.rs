@@ -13,17 +13,17 @@ use std::f64::consts::{FRAC_PI_2, FRAC_PI_3};
 const G: f64 = crate::cases::bodies::GRAVITY;
 
 /// Where a pendulum of 1 m is at an angle from hanging.
-fn at(angle: f64) -> DVec3 {
+pub(crate) fn at(angle: f64) -> DVec3 {
     DVec3::new(angle.sin(), 0.0, -angle.cos())
 }
 
-fn of_particle(angle: f64) -> super::Result<Scene> {
+pub(crate) fn of_particle(angle: f64) -> super::Result<Scene> {
     let mut scene = scene("pendulum of a particle").duration_s(2.5);
     let bob = scene.add_body(particle("bob", at(angle), DVec3::ZERO)?);
     Ok(scene.joint(massless_rod(bob, at(angle), DVec3::ZERO)).build()?)
 }
 
-fn of_rod(angle: f64, duration_s: f64) -> super::Result<Scene> {
+pub(crate) fn of_rod(angle: f64, duration_s: f64) -> super::Result<Scene> {
     let mut scene = scene("pendulum of a rod").duration_s(duration_s);
     let rod = scene.add_body(rod("rod", 1.0, [DVec3::ZERO, at(angle)])?);
     Ok(scene.joint(hinge(rod, DVec3::ZERO, UnitVector::Y)).build()?)
@@ -93,18 +93,23 @@ pub(crate) fn jt_02(context: &Context) -> CaseResult {
     Ok(rows)
 }
 
+/// A double pendulum of two particles, let go at these angles from hanging.
+pub(crate) fn double(angles: [f64; 2], duration_s: f64) -> super::Result<Scene> {
+    let places = [at(angles[0]), at(angles[0]) + at(angles[1])];
+    let mut scene = scene("double pendulum of particles").duration_s(duration_s);
+    let upper = scene.add_body(particle("upper", places[0], DVec3::ZERO)?);
+    let lower = scene.add_body(particle("lower", places[1], DVec3::ZERO)?);
+    let scene = scene.joint(massless_rod(upper, places[0], DVec3::ZERO));
+    Ok(scene.joint(massless_rod(lower, places[1], places[0]).with(upper)).build()?)
+}
+
 /// Double pendulums of two particles, whose motion is chaotic.
 pub(crate) fn jt_03(context: &Context) -> CaseResult {
     let mut rows = Vec::new();
     for (first, second) in [(90.0_f64, 90.0_f64), (120.0, -10.0)] {
         let angles = [first, second].map(f64::to_radians);
-        let places = [at(angles[0]), at(angles[0]) + at(angles[1])];
         for t in [1.0, 5.0, 10.0] {
-            let mut scene = scene("double pendulum of particles").duration_s(t);
-            let upper = scene.add_body(particle("upper", places[0], DVec3::ZERO)?);
-            let lower = scene.add_body(particle("lower", places[1], DVec3::ZERO)?);
-            let scene = scene.joint(massless_rod(upper, places[0], DVec3::ZERO));
-            let scene = scene.joint(massless_rod(lower, places[1], places[0]).with(upper)).build()?;
+            let scene = double(angles, t)?;
             let run = run(&scene)?;
             let ways = |bodies: &[BodySample]| {
                 let [upper, lower] = [0, 1].map(|body: usize| bodies[body].pose.translation);

@@ -225,6 +225,23 @@ pub(super) fn card_houses(_context: &Context) -> CaseResult {
     Ok(rows)
 }
 
+/// Structures that stand: houses of cards, an arch, and random ones with more friction than the programme asks for.
+pub(crate) fn standing(random: std::ops::Range<usize>) -> Result<Vec<(String, polhode::Scene)>, Box<dyn Error>> {
+    let mut all = Vec::new();
+    for storeys in 1..=4 {
+        let house = masonry::card_house(storeys, 20.0f64.to_radians(), HOUSE_FRICTION)?;
+        all.push((format!("card house of {storeys} storeys"), house.scene()?));
+    }
+    all.push(("arch of 9 stones".to_owned(), masonry::arch(9, 0.2, ARCH_FRICTION)?.scene()?));
+    for number in random {
+        let one = structure(number);
+        if judge(&one.blocks(), one.friction(LESS_FRICTION))? == Verdict::Feasible {
+            all.push((format!("structure {number}"), one.scene()?));
+        }
+    }
+    Ok(all)
+}
+
 /// Friction of cards that hold, and of cards that slip.
 const HOUSE_FRICTION: f64 = 0.6;
 const SLIPPERY: f64 = 0.05;
