@@ -12,6 +12,7 @@
 //! | `grain` | [`FrictionEllipse`]: friction along and across a grain |
 //! | `force` | [`Force`]: forces besides uniform gravity and contact |
 //! | `freedom` | [`Coordinate`], [`Freedom`]: what a joint leaves free; [`Limits`], springs, a [`Motor`] along it |
+//! | `copies` | [`SceneCopy`]: scenes set otherwise; `joint_copy` does it for joints |
 //! | `joint` | [`Joint`]: what holds two bodies, or one and the world; `joint_checks` says when it is refused |
 //! | `track` | [`TrackId`], [`TrackHold`]: curves that bodies follow; `joint_on_track` places bodies on them |
 //! | `gear` | [`Gear`]: coordinates of two joints that move together |
@@ -32,6 +33,7 @@
 mod body;
 mod builder;
 mod coordinate_motion;
+mod copies;
 pub(crate) mod effects;
 mod error;
 pub(crate) mod few_digits;
@@ -42,6 +44,7 @@ mod geometry;
 mod grain;
 mod joint;
 mod joint_checks;
+mod joint_copy;
 mod joint_on_track;
 mod laws;
 mod material;
@@ -59,6 +62,7 @@ mod track;
 pub use body::{Body, BodyMass};
 pub use builder::SceneBuilder;
 pub use coordinate_motion::CoordinateMotion;
+pub use copies::{CopyError, ListOrder, SceneCopy};
 pub(crate) use error::{MOST_NAMES, positive};
 pub use error::{OverlapAtStart, SceneError};
 pub(crate) use force::MovingFrames;
