@@ -15,6 +15,7 @@ use polhode::spatial::{
 };
 use polhode::{Body, BodySample, Effects, Scene, SceneBuilder, Simulation};
 use proptest::prelude::*;
+use std::f64::consts::FRAC_PI_2;
 
 /// What bodies of a copy may be from those of its scene after 0.3 s, m and rad.
 const SAME_MOTION: f64 = 1e-9;
@@ -98,7 +99,7 @@ fn screws() -> Scene {
     let carriage = scene.add_joint(Joint::new(JointKind::Slider { axis }, carriage, DVec3::ZERO));
     scene
         .gear(Gear::new(bush_joint, wheel, 0.2).unwrap().between(Coordinate::Displacement, Coordinate::Angle))
-        .coordinate_motion(carriage, Coordinate::Displacement, CoordinateMotion::sine(0.1, 2.0, 0.5 * 3.2).unwrap())
+        .coordinate_motion(carriage, Coordinate::Displacement, CoordinateMotion::sine(0.1, 2.0, FRAC_PI_2).unwrap())
         .build()
         .unwrap_or_else(|error| panic!("{error}"))
 }
