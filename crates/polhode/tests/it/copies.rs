@@ -114,7 +114,7 @@ fn prescribed_slide() -> Scene {
     scene.coordinate_motion(joint, Coordinate::Displacement, CoordinateMotion::rate(rate).unwrap()).build().unwrap()
 }
 
-/// Kinematic bodies by each kind of motion, one of which carries a box.
+/// Kinematic bodies by each kind of motion, on one of which a ball falls, slips and rolls.
 fn driven() -> Scene {
     let table = MotionTable {
         times_s: vec![0.0, 0.1, 0.2, 0.4],
@@ -137,7 +137,7 @@ fn driven() -> Scene {
                 .pose(Pose::new(turned(1.0, 0.2, 0.3), DVec3::Y * 4.0)),
         )
         .body(plate.material(rough.clone()))
-        .body(brick("box", DVec3::new(0.3, 0.2, 0.1), DVec3::new(0.1, 0.05, 0.13)).material(rough))
+        .body(ball("ball", 1.0, 0.1, DVec3::new(0.1, 0.05, 0.2), DVec3::X * 0.5).material(rough))
         .build()
         .unwrap()
 }
@@ -322,6 +322,13 @@ fn the_image_of_the_image_is_the_scene() {
         let again = copy.of(&copy.of(&scene).unwrap()).unwrap();
         assert_eq!(run(&scene, Effects::Planned).1.samples, run(&again, Effects::Planned).1.samples);
     }
+}
+
+/// A monotone table, whose samples it does not leave, is not warned of when it is turned.
+#[test]
+fn turned_monotone_tables_are_not_warned_of() {
+    let turned = everything(Handedness::Kept).of(&driven()).unwrap();
+    assert!(turned.warnings().is_empty(), "{:?}", turned.warnings());
 }
 
 /// A screw in a mirror has the other thread: it goes the other way for the same turn about its axis.

@@ -150,6 +150,14 @@ impl PrescribedMotion {
         }
     }
 
+    /// What is between the samples of a table.
+    pub(crate) fn interpolation(&self) -> Option<Interpolation> {
+        match &self.0 {
+            Kind::Constant(..) | Kind::Sine(_) => None,
+            Kind::Table(curve) => Some(curve.interpolation()),
+        }
+    }
+
     /// Where a table leaves the range of two neighbouring samples the farthest; only a spline does.
     pub fn excursion(&self) -> Option<Excursion> {
         match &self.0 {

@@ -209,6 +209,10 @@ impl SampledCurve {
         Self { interpolation: self.interpolation, times: self.times.clone(), path, turns }
     }
 
+    pub(super) const fn interpolation(&self) -> Interpolation {
+        self.interpolation
+    }
+
     /// Whether the table has positions, and whether it has orientations.
     pub(super) const fn gives(&self) -> (bool, bool) {
         (self.path.is_some(), self.turns.is_some())
