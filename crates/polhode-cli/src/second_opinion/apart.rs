@@ -72,6 +72,8 @@ fn size(body: &Body) -> f64 {
 
 #[cfg(test)]
 mod tests {
+    #![expect(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
+
     use super::*;
     use polhode::BodySample;
     use polhode::mesh::solid_box;

@@ -73,6 +73,8 @@ impl Asked {
             });
             match prepared {
                 Ok((simulation, proposal)) => return self.ask(scene, simulation, &proposal, (notes, limit), interrupt),
+                // Several settings may be refused for one reason.
+                Err(reason) if notes.contains(&reason) => {}
                 Err(reason) => notes.push(reason),
             }
         }

@@ -49,8 +49,8 @@ pub(super) fn all(scene: &Scene, report: &RunReport) -> Vec<Result<Proposal, Cop
     }
     let own = Method { orientation: None, rotation_rate: None, coordinates: None, ..scene.method().clone() };
     let own = Method { tier: Some(plan.tier), ..own };
-    let other = if has_springs { by_other_springs(own.clone(), report) } else { by_other_steps(own.clone(), report) };
-    let same = Method { integrator: None, step_s: Some(STEP_PART * plan.step_s), ..own };
+    let other = if has_springs { by_other_springs(&own, report) } else { by_other_steps(&own, scene, report) };
+    let same = Method { integrator: None, step_s: Some(other_step(report)), ..own };
     let settings = [
         (Handedness::Mirrored, ListOrder::Reversed),
         (Handedness::Kept, ListOrder::Reversed),
@@ -82,28 +82,32 @@ fn by_most_accurate(scene: &Scene) -> Proposal {
     Proposal { scene: scene.clone().with_method(method), copy: SceneCopy::default(), told }
 }
 
-/// Free motion by another integrator, held motion with other steps, and no tolerance that is looser than the default.
-fn by_other_steps(own: Method, report: &RunReport) -> Method {
+/// Free motion by another integrator, held motion with other steps, both at the default tolerance.
+fn by_other_steps(own: &Method, scene: &Scene, report: &RunReport) -> Method {
     let integrator = match report.plan.integrator {
-        Integrator::Dop853 => Integrator::ExactAdaptive,
-        _ => Integrator::Dop853,
+        // It is the only one with error control that solves for joints.
+        Integrator::Dop853 if !scene.joints().is_empty() => None,
+        Integrator::Dop853 => Some(Integrator::ExactAdaptive),
+        _ => Some(Integrator::Dop853),
     };
-    let step_s = Some(STEP_PART * report.plan.step_s);
-    Method { integrator: Some(integrator), step_s, tolerance: None, crowding_tolerance: None, ..own }
+    Method { integrator, step_s: Some(other_step(report)), tolerance: None, crowding_tolerance: None, ..own.clone() }
+}
+
+/// The longest step of another run.
+fn other_step(report: &RunReport) -> f64 {
+    STEP_PART * report.plan.step_s
 }
 
 /// The springs by another integrator: by steps that are short against the swing of the fastest, or under error control.
-fn by_other_springs(own: Method, report: &RunReport) -> Method {
-    let step_s = report.plan.step_s;
-    match (report.plan.integrator, &report.springs) {
-        (Integrator::Dop853, Some(springs)) if springs.fastest_rad_s > 0.0 => {
-            let step_s = Some(step_s.min(SWING_OF_A_STEP / springs.fastest_rad_s));
-            Method { integrator: Some(Integrator::Rk4), step_s, ..own }
+fn by_other_springs(own: &Method, report: &RunReport) -> Method {
+    let fastest_rad_s = report.springs.as_ref().map_or(0.0, |springs| springs.fastest_rad_s);
+    match report.plan.integrator {
+        Integrator::Dop853 => {
+            // Where nothing has touched the quotient is infinite.
+            let step_s = Some(other_step(report).min(SWING_OF_A_STEP / fastest_rad_s));
+            Method { integrator: Some(Integrator::Rk4), step_s, ..own.clone() }
         }
-        (Integrator::Dop853, _) => {
-            Method { integrator: Some(Integrator::Rk4), step_s: Some(STEP_PART * step_s), ..own }
-        }
-        _ => Method { integrator: Some(Integrator::Dop853), step_s: None, tolerance: None, ..own },
+        _ => Method { integrator: Some(Integrator::Dop853), step_s: None, tolerance: None, ..own.clone() },
     }
 }
 

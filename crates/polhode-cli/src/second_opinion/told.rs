@@ -11,7 +11,7 @@ const MOST_LISTED: usize = 50;
 impl Opinion {
     /// For people: a section below the report.
     pub(crate) fn text(&self) -> String {
-        let notes: String = self.notes.iter().map(|note| format!("  note: {note}\n")).collect();
+        let notes = self.notes.iter().fold(String::new(), |told, note| format!("{told}  note: {note}\n"));
         let Some(method) = &self.method else {
             return format!("\nsecond opinion\n  none could be had\n{notes}");
         };

@@ -76,6 +76,8 @@ impl ConvexPolyhedron {
 
 #[cfg(test)]
 mod tests {
+    #![expect(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
+
     use super::*;
 
     /// A polyhedron without a plane of symmetry.

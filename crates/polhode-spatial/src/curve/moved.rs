@@ -47,6 +47,8 @@ impl Piece {
 
 #[cfg(test)]
 mod tests {
+    #![expect(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
+
     use super::*;
     use crate::curve::{Bend, Coil, SplineEnds};
     use crate::{Handedness, Rotation, UnitVector};
