@@ -385,6 +385,8 @@ proptest! {
             let other = Simulation::new(&copy.of(&scene).unwrap()).unwrap().bodies();
             let difference = apart(&own, &copy.undone(&other));
             prop_assert!(difference < 1e-13, "{}: {difference:e}", scene.name());
+            let there = apart(&copy.samples(&own), &other);
+            prop_assert!(there < 1e-13, "{}: {there:e}", scene.name());
         }
     }
 

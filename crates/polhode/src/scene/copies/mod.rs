@@ -161,6 +161,15 @@ impl SceneCopy {
         Ok(SceneBuilder::of(copy).build()?)
     }
 
+    /// Bodies of the scene as they would be in the scene set otherwise, in its order.
+    pub fn samples(&self, samples: &[BodySample]) -> Vec<BodySample> {
+        let moved = |sample: &BodySample| BodySample {
+            pose: self.space.pose(&sample.pose),
+            velocity: self.space.velocity(&sample.velocity),
+        };
+        self.order.of(samples.iter().map(moved).collect())
+    }
+
     /// Bodies of the scene set otherwise as they would be in the scene itself, in its order.
     pub fn undone(&self, samples: &[BodySample]) -> Vec<BodySample> {
         let before = |sample: &BodySample| BodySample {
