@@ -1,8 +1,8 @@
 //! Isometries: how a space is set otherwise, turned, shifted and mirrored.
 //!
-//! A point `x` goes to `x' = R S x + d`, with `S = diag(-1, 1, 1)` where the space is mirrored and the identity where it
-//! is not. The frame of a body is mirrored likewise in its own plane x = 0, so that it stays right-handed: a point `p`
-//! of the body goes to `S p` in its frame. A body of the attitude `A` has the attitude `R S A S` then. Velocities,
+//! A point `x` goes to `x' = R S x + d`, with `S = diag(-1, 1, 1)` where the space is mirrored and the identity where
+//! it is not. The frame of a body is mirrored likewise in its own plane x = 0, so that it stays right-handed: a point
+//! `p` of the body goes to `S p` in its frame. A body of the attitude `A` has the attitude `R S A S` then. Velocities,
 //! forces and directions go as differences of points do (`R S v`); angular velocities, torques and axes of rotation go
 //! with the opposite sign where the space is mirrored (`det(S) R S w`).
 

@@ -2,13 +2,14 @@
 //!
 //! | the run was by | it is repeated by |
 //! |---|---|
-//! | the most accurate tier | the same tier in the scene turned, mirrored and with its bodies in the opposite order, by |
-//! | | another integrator and with other steps |
+//! | the most accurate tier | the same tier in the scene turned, mirrored and with its bodies in the opposite order, |
+//! | | by another integrator and with other steps |
 //! | the tier of springs | the same springs by another integrator, in the scene set otherwise likewise |
 //! | any other tier | the most accurate tier at its own tolerance |
 //!
-//! A law of contact or of impact that the scene names stays: another law is another scene, and no error. What is refused
-//! gives way to the next proposal: not mirrored, then in the order of the scene, then by the integrator of the plan.
+//! A law of contact or of impact that the scene names stays: another law is another scene, and no error. What is
+//! refused gives way to the next proposal: not mirrored, then in the order of the scene, then by the integrator of the
+//! plan.
 
 use polhode::scene::{CopyError, Integrator, ListOrder, Method, Response, SceneCopy, Tier};
 use polhode::spatial::{DVec3, Handedness, Isometry, Rotation};

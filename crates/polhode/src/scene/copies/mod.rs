@@ -18,7 +18,6 @@ mod force;
 
 pub use error::CopyError;
 
-use super::laws::{ImpactLaw, PropagationOrder};
 use super::{Gear, GearEnd, Joint, Scene, SceneBuilder};
 use crate::identity::body_id::BodyId;
 use crate::identity::joint_id::JointId;
@@ -101,12 +100,11 @@ impl SceneCopy {
         self.order
     }
 
-    /// The scene set otherwise.
+    /// The parts of the scene set otherwise, unchecked. `tier/scene_copies.rs` builds the scene of them.
     ///
     /// # Errors
-    /// When a part of it cannot be, or what it describes depends on the axes or the order.
-    pub fn of(&self, scene: &Scene) -> Result<Scene, CopyError> {
-        self.check_impacts(scene)?;
+    /// When a part cannot be set otherwise.
+    pub(crate) fn parts_of(&self, scene: &Scene) -> Result<SceneBuilder, CopyError> {
         let Scene {
             name,
             duration_s,
@@ -158,7 +156,7 @@ impl SceneCopy {
             joints: self.order.of(joints.iter().map(|joint| joint.moved(space, number)).collect()),
             bodies: self.order.of(bodies.iter().map(|body| body::moved(body, space)).collect::<Result<_, _>>()?),
         };
-        Ok(SceneBuilder::of(copy).build()?)
+        Ok(SceneBuilder::of(copy))
     }
 
     /// Bodies of the scene as they would be in the scene set otherwise, in its order.
@@ -177,20 +175,6 @@ impl SceneCopy {
             velocity: self.space.velocity_before(&sample.velocity),
         };
         self.order.of(samples.iter().map(before).collect())
-    }
-
-    /// Checks that impacts do the same in other axes and in another order of the bodies.
-    fn check_impacts(&self, scene: &Scene) -> Result<(), CopyError> {
-        let method = scene.method();
-        let law = method.impact.unwrap_or(method.named_tier().unwrap_or_default().facts().impact);
-        match method.propagation_order.unwrap_or_default() {
-            _ if law != ImpactLaw::Propagation || !scene.any_may_collide() => Ok(()),
-            PropagationOrder::Random { .. } => Err(CopyError::StruckAtRandom),
-            PropagationOrder::Key | PropagationOrder::Depth if self.order == ListOrder::Reversed => {
-                Err(CopyError::StruckByNumber)
-            }
-            PropagationOrder::Key | PropagationOrder::Depth => Ok(()),
-        }
     }
 
     fn joint(&self, joint: JointId, joints: &[Joint]) -> JointId {
