@@ -125,6 +125,14 @@ pub(crate) struct RunArgs {
     /// Runs by the cheapest method whose error stays below this, as `polhode cost` finds it
     #[arg(long, value_name = "ERROR", allow_negative_numbers = true)]
     pub(crate) accuracy: Option<f64>,
+    /// Repeats the run by a method that shares no solver with it, and says how far the bodies of both are apart; exit
+    /// code 1 where that is more than the method of the run promises
+    ///
+    /// A run of tier accurate is repeated in the scene turned, mirrored and with its bodies in the opposite order, by
+    /// another integrator; one of tier penalty likewise, with the same springs; any other by tier accurate. Whole runs
+    /// are repeated, however long that takes.
+    #[arg(long)]
+    pub(crate) second_opinion: bool,
     #[command(flatten)]
     pub(crate) checkpoints: CheckpointArgs,
 }

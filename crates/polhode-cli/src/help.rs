@@ -8,6 +8,7 @@ pub(crate) const RUN: &str = "\
 Examples:
   polhode run scene.toml -o motion.csv -o page.html
   polhode run example:diamond-4 --duration 2
+  polhode run example:box-drop --tier stepped --second-opinion
   polhode run - --set gravity=[0,0,-1.62] -o - < scene.toml > motion.csv";
 
 pub(crate) const RESUME: &str = "\

@@ -11,6 +11,7 @@
 //! | `failure` | [`Failure`]: what went wrong, and the exit code it means |
 //! | `run`, `plan`, `check`, `mesh`, `compare` | the commands; `run` has `resume` too |
 //! | `run_files` | the files that a run writes |
+//! | `second_opinion` | a run repeated by another method |
 //! | `checkpoints` | when and where a run is stored so that it can be continued |
 //! | `view`, `demo` | the commands that show a scene or a trajectory, and the first one to try |
 //! | `browser` | opening a page |
@@ -46,6 +47,7 @@
 //! | simulation | makes the simulation and its plan | `scene.rs` |
 //! | run | runs it up to the end, a checkpoint or Ctrl-C | `run.rs` |
 //! | | tells how far it is | `watch.rs`, `progress.rs` |
+//! | second opinion | repeats it by another method, if `--second-opinion` asks for it | `second_opinion` |
 //! | report | prints the report and the plan, for people or as JSON | `text/report.rs`, `stdout.rs` |
 //! | exit code | says on stderr what went wrong, and returns the exit code | `failure.rs` |
 
@@ -75,6 +77,7 @@ mod progress;
 mod run;
 mod run_files;
 mod scene;
+mod second_opinion;
 mod stdout;
 mod terminal;
 mod text;

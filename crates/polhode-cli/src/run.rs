@@ -7,6 +7,7 @@ use crate::interrupt::Interrupt;
 use crate::progress::Progress;
 use crate::run_files::{RunFiles, is_stdout};
 use crate::scene::SceneText;
+use crate::second_opinion::{Asked, Opinion};
 use crate::verbosity::{self, Verbosity};
 use crate::watch::Watch;
 use crate::{cost, scene, stdout, text};
@@ -72,7 +73,8 @@ fn prepared(args: &RunArgs, interrupt: &Interrupt) -> Result<Run, Failure> {
     if let Some(estimation) = args.output.error {
         simulation.set_error_estimation(estimation.into());
     }
-    Ok(Run { loaded, simulation, files, checkpoints, progress, started, report: Report::of(&args.output) })
+    let second = args.second_opinion.then(|| Asked::new(scene::effects(&args.scene.changes)));
+    Ok(Run { loaded, simulation, files, checkpoints, progress, started, second, report: Report::of(&args.output) })
 }
 
 /// A run from a checkpoint on.
@@ -103,7 +105,8 @@ fn restored(args: &ResumeArgs, interrupt: &Interrupt) -> Result<Run, Failure> {
     }
     let files = RunFiles::create(&args.output, &inputs, &loaded, &checkpoints, interrupt)?;
     let started = Instant::now();
-    Ok(Run { loaded, simulation, files, checkpoints, progress, started, report: Report::of(&args.output) })
+    let (second, report) = (None, Report::of(&args.output));
+    Ok(Run { loaded, simulation, files, checkpoints, progress, started, second, report })
 }
 
 /// The threads that compute islands.
@@ -182,6 +185,8 @@ struct Run {
     checkpoints: Checkpoints,
     progress: Progress,
     started: Instant,
+    /// What a second opinion is to be compared with, if one is asked for.
+    second: Option<Asked>,
     report: Report,
 }
 
@@ -193,7 +198,8 @@ impl Run {
         self.files.begin(&self.loaded, &self.simulation);
         interrupt.wait_for_steps();
         self.progress.run(at_start_s, duration_s);
-        let (observers, bar) = (self.files.observers(), &self.progress);
+        let (mut observers, bar) = (self.files.observers(), &self.progress);
+        observers.extend(self.second.as_mut().map(Asked::observer));
         let mut watch = Watch { observers, bar, interrupt, stop_s: f64::INFINITY, is_stopped: false };
         let ended = go_on(&self.loaded, &mut self.simulation, &self.checkpoints, &mut watch);
         self.progress.clear();
@@ -243,18 +249,33 @@ impl Run {
         let wall_s = self.started.elapsed().as_secs_f64();
         let stands = if matches!(told, Report::Text | Report::OnStderr) { self.stands() } else { None };
         self.files.finish(report, interrupt).map_err(|failure| (told, failure))?;
+        let scene = &self.loaded.scene;
+        let opinion = self.second.map(|asked| asked.answer(scene, report, interrupt));
+        let text = || {
+            let said = opinion.as_ref().map_or_else(String::new, Opinion::text);
+            format!("{}{said}", text::run(&self.loaded, report, stands.as_deref(), wall_s))
+        };
         let printed = match told {
-            Report::Json => stdout::json(&scene_report_json(&self.loaded, report, wall_s)),
-            Report::Text => stdout::text(&text::run(&self.loaded, report, stands.as_deref(), wall_s)),
+            Report::Json => {
+                let mut value = scene_report_json(&self.loaded, report, wall_s);
+                if let Some(opinion) = &opinion {
+                    value["second_opinion"] = opinion.json();
+                }
+                stdout::json(&value)
+            }
+            Report::Text => stdout::text(&text()),
             Report::Untold => Ok(()),
             Report::OnStderr => {
-                failure::remark(text::run(&self.loaded, report, stands.as_deref(), wall_s).trim_end());
+                failure::remark(text().trim_end());
                 Ok(())
             }
         };
         printed.map_err(|failure| (told, failure))?;
         match report.outcome {
-            Outcome::Completed | Outcome::Stopped => Ok(()),
+            Outcome::Completed | Outcome::Stopped => match opinion.and_then(|own| own.contradiction(scene.name())) {
+                Some(contradiction) => Err((told, Failure::Degraded(contradiction))),
+                None => Ok(()),
+            },
             // An outcome of which nothing else is known is not a good one.
             _ => Err((told, Failure::Degraded(degraded(report)))),
         }

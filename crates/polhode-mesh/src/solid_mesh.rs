@@ -7,6 +7,7 @@ use crate::surface_integrals::triangle_area;
 use crate::triangle_mesh::{MeshError, TriangleMesh};
 use crate::volume_integrals::volume_rounding;
 use crate::weld::weld;
+use polhode_spatial::Handedness;
 
 /// A closed, consistently wound mesh that faces outward and encloses a positive volume.
 ///
@@ -54,6 +55,15 @@ impl SolidMesh {
     /// Volume, centroid and second moment of the solid.
     pub const fn volume_integrals(&self) -> &VolumeIntegrals {
         &self.integrals
+    }
+
+    /// The image in a mirror in the plane x = 0, with its triangles turned over.
+    ///
+    /// # Errors
+    /// As [`SolidMesh::new`].
+    pub fn mirrored(&self) -> Result<Self, MeshError> {
+        let vertices = self.mesh.vertices().iter().map(|&vertex| Handedness::Mirrored.vector(vertex)).collect();
+        Self::new(TriangleMesh::new(vertices, self.mesh.triangles().to_vec())?.flipped())
     }
 
     /// Gives the mesh back.

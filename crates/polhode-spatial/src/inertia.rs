@@ -97,6 +97,12 @@ impl Inertia {
         Self((m + m.transpose()) * 0.5)
     }
 
+    /// The inertia of the image in a mirror in the plane x = 0 of its axes.
+    pub fn mirrored(&self) -> Self {
+        let mirror = DMat3::from_diagonal(DVec3::new(-1.0, 1.0, 1.0));
+        Self(mirror * self.0 * mirror)
+    }
+
     /// Sum of two inertias about the same point in the same axes.
     pub fn plus(&self, other: &Self) -> Self {
         Self(self.0 + other.0)

@@ -9,6 +9,7 @@
 //! |---|---|
 //! | [`rotation`] | [`Rotation`]: a unit quaternion that is known to be one |
 //! | [`pose`] | [`Pose`]: rotation and translation of one frame in another |
+//! | [`isometry`] | [`Isometry`]: a space turned, shifted and mirrored |
 //! | [`velocity`] | [`Velocity`] of a body, velocity of its points |
 //! | [`unit_vector`] | [`UnitVector`]: a direction |
 //! | [`motion`] | [`Motion`]: a pose as a function of time, with bounds |
@@ -53,6 +54,7 @@ pub mod curve;
 pub mod disjoint_sets;
 pub mod double_double;
 pub mod inertia;
+pub mod isometry;
 pub mod mass_properties;
 pub mod motion;
 pub mod pose;
@@ -68,6 +70,7 @@ pub use disjoint_sets::DisjointSets;
 pub use double_double::DoubleDouble;
 pub use glam::{DMat3, DQuat, DVec3};
 pub use inertia::{Inertia, InertiaError};
+pub use isometry::{Handedness, Isometry};
 pub use mass_properties::{Density, Mass, MassProperties, MassPropertiesError};
 pub use motion::{ConstantScrew, ConstantVelocity, Motion, MotionBounds, MotionError, SteadyFlight, Still};
 pub use pose::Pose;

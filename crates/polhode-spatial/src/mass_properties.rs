@@ -1,7 +1,7 @@
 //! Mass, centre of mass and inertia of a body.
 
 use crate::inertia::point_inertia;
-use crate::{Inertia, InertiaError, Pose, PrincipalAxes};
+use crate::{Handedness, Inertia, InertiaError, Pose, PrincipalAxes};
 use glam::DVec3;
 use thiserror::Error;
 
@@ -105,6 +105,12 @@ impl MassProperties {
             center_of_mass: pose.transform_point(self.center_of_mass),
             inertia: self.inertia.rotated(pose.rotation),
         }
+    }
+
+    /// Those of the image in a mirror in the plane x = 0 of the body's frame.
+    pub fn mirrored(&self) -> Self {
+        let center_of_mass = Handedness::Mirrored.vector(self.center_of_mass);
+        Self { mass: self.mass, center_of_mass, inertia: self.inertia.mirrored() }
     }
 
     /// The rigid union of two bodies given in the same frame.

@@ -38,6 +38,11 @@ impl UnitVector {
         Ok(Self(scaled / scaled.length()))
     }
 
+    /// Of a vector that is known to be of length one to round-off.
+    pub(crate) const fn known(vector: DVec3) -> Self {
+        Self(vector)
+    }
+
     /// The vector.
     pub const fn get(self) -> DVec3 {
         self.0

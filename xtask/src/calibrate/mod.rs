@@ -9,7 +9,8 @@
 mod figure;
 mod page;
 
-use clap::{Args, ValueEnum};
+use clap::Args;
+use polhode::ErrorEstimation;
 use polhode_cases::calibration::{self, Known, WITHIN, judge_all};
 use std::error::Error;
 use std::fs;
@@ -33,8 +34,8 @@ pub(crate) struct Options {
     #[arg(long)]
     json: Option<PathBuf>,
     /// How much is done to estimate errors.
-    #[arg(long, value_enum, default_value_t = Effort::Quick)]
-    effort: Effort,
+    #[arg(long, value_parser = effort, default_value = "quick")]
+    effort: ErrorEstimation,
     /// Find the horizons of chaotic scenes instead.
     #[arg(long)]
     horizons: bool,
@@ -43,12 +44,10 @@ pub(crate) struct Options {
     write: Option<PathBuf>,
 }
 
-/// How much is done to estimate errors.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-enum Effort {
-    Off,
-    Quick,
-    Full,
+/// The effort of this name.
+fn effort(name: &str) -> Result<ErrorEstimation, String> {
+    let names = ErrorEstimation::ALL.map(ErrorEstimation::name);
+    ErrorEstimation::from_name(name).ok_or_else(|| format!("one of {}", names.join(", ")))
 }
 
 /// Runs the scenes.
@@ -63,7 +62,7 @@ pub(crate) fn run(options: &Options, root: &Path) -> Result<ExitCode, Box<dyn Er
     let all = calibration::all(root, options.draw);
     let is_meant = |known: &&Known| options.only.as_ref().is_none_or(|only| known.name.starts_with(only.as_str()));
     let meant: Vec<&Known> = all.iter().filter(is_meant).step_by(options.every.max(1)).collect();
-    let judged = judge_all(&meant, |one| println!("{one}"));
+    let judged = judge_all(&meant, options.effort, |one| println!("{one}"));
     print!("{}", calibration::summary(&judged));
     println!("{} scenes, {:.0} s", meant.len(), start.elapsed().as_secs_f64());
     if let Some(path) = &options.json {
@@ -78,7 +77,7 @@ pub(crate) fn run(options: &Options, root: &Path) -> Result<ExitCode, Box<dyn Er
 /// Prints the true and the told horizons of chaotic scenes.
 fn find_horizons(options: &Options, root: &Path) -> ExitCode {
     let only = options.only.as_deref().unwrap_or_default();
-    let found = calibration::horizons(root, only, |one| println!("{one}"));
+    let found = calibration::horizons(root, only, options.effort, |one| println!("{one}"));
     let reached = found.iter().filter(|one| one.true_s.is_some()).count();
     let right = found.iter().filter(|one| one.is_right()).count();
     println!("{} scenes, {reached} reach their horizon, {right} tell it within a factor of {WITHIN}", found.len());

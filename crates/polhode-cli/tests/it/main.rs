@@ -18,6 +18,7 @@ mod plots;
 mod resume;
 mod robots;
 mod run;
+mod second_opinion;
 mod usage;
 mod view;
 mod view_bad_input;

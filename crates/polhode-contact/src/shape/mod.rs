@@ -18,6 +18,7 @@
 //! | `needle` | normals of very narrow faces |
 //! | `nearer_point` | which of two points is nearer, also when the distances are equal to rounding |
 //! | [`mirror`] | whether a shape is its own mirror image |
+//! | `mirrored` | the mirror image of a shape |
 //! | [`prism`] | whether a shape is the same in all planes across an axis |
 //! | [`mod@approximate_decomposition`] | approximate convex parts of a solid |
 //! | `error` | why a shape cannot be made |
@@ -36,6 +37,7 @@ pub(crate) mod hull;
 mod kinds;
 pub(crate) mod lists;
 pub mod mirror;
+mod mirrored;
 pub(crate) mod nearer_point;
 mod needle;
 mod point_cloud;

@@ -4,6 +4,7 @@
 //! |---|---|
 //! | `piecewise` | [`Curve`]: its kinds, and its places by arc length |
 //! | `piece` | the formulas |
+//! | `moved` | curves turned, shifted and mirrored |
 //! | `span` | parts that turn by little |
 //! | `place` | [`CurvePoint`]: a place of a curve |
 //! | `nearest` | the place nearest to a point |
@@ -14,6 +15,7 @@
 
 mod error;
 mod meets_itself;
+mod moved;
 mod nearest;
 mod piece;
 mod piecewise;

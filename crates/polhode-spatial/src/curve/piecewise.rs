@@ -212,7 +212,7 @@ impl Curve {
         Self::new(vec![Stretch { piece, from: -reach, to: reach }], lowest, false, plane)
     }
 
-    fn new(
+    pub(super) fn new(
         stretches: Vec<Stretch>,
         start: DVec3,
         is_closed: bool,

@@ -144,6 +144,11 @@ impl SceneBuilder {
         self
     }
 
+    /// The builder that has collected these parts.
+    pub(super) const fn of(scene: Scene) -> Self {
+        Self { scene }
+    }
+
     /// The parts as they were given, unchecked.
     pub(crate) fn parts(self) -> Scene {
         self.scene

@@ -7,7 +7,7 @@
 //! rate `s'(0)`.
 
 use super::motion::{Interpolation, MotionError, MotionTable, PrescribedMotion};
-use polhode_spatial::{DVec3, Velocity};
+use polhode_spatial::{DVec3, Handedness, Isometry, Rotation, Velocity};
 
 /// A coordinate of a joint as a function of time.
 ///
@@ -60,6 +60,11 @@ impl CoordinateMotion {
     pub fn table(times_s: Vec<f64>, values: &[f64], interpolation: Interpolation) -> Result<Self, MotionError> {
         let positions_m = Some(values.iter().map(|value| DVec3::X * *value).collect());
         PrescribedMotion::table(&MotionTable { times_s, positions_m, orientations: None, interpolation }).map(Self)
+    }
+
+    /// The same of the coordinate with the opposite sign.
+    pub(crate) fn reversed(&self) -> Self {
+        Self(self.0.moved(&Isometry::new(Rotation::IDENTITY, DVec3::ZERO, Handedness::Mirrored)))
     }
 
     /// The motion of a point along the x axis with the coordinate as its displacement.

@@ -362,6 +362,22 @@ impl Freedom {
         Self { motor, ..self }
     }
 
+    /// The same along the coordinate with the opposite sign.
+    pub(crate) fn reversed(self) -> Self {
+        let limits = self.limits.map(|own| Limits { lower: -own.upper, upper: -own.lower, ..own });
+        let motor = self.motor.map(|own| {
+            let drive = match own.drive {
+                Drive::Effort(effort) => Drive::Effort(-effort),
+                Drive::Velocity { velocity, gain } => Drive::Velocity { velocity: -velocity, gain },
+                Drive::Position { position, stiffness, damping } => {
+                    Drive::Position { position: -position, stiffness, damping }
+                }
+            };
+            Motor { drive, ..own }
+        });
+        Self { limits, rest: -self.rest, motor, ..self }
+    }
+
     /// Whether it exerts forces besides those of its stops and its friction.
     pub(crate) fn has_forces(&self) -> bool {
         self.stiffness > 0.0 || self.damping > 0.0 || self.motor.is_some()

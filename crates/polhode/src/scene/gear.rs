@@ -99,6 +99,11 @@ impl Gear {
         [self.first.coordinate, self.second.coordinate]
     }
 
+    /// The same between these coordinates, with its ratio times a factor other than 0.
+    pub(crate) const fn between_ends(self, [first, second]: [GearEnd; 2], factor: f64) -> Self {
+        Self { first, second, ratio: self.ratio * factor }
+    }
+
     pub(crate) const fn ends(&self) -> [GearEnd; 2] {
         [self.first, self.second]
     }

@@ -10,7 +10,7 @@
 //! depend on the speed.
 
 use super::SceneError;
-use polhode_spatial::DVec3;
+use polhode_spatial::{DVec3, Handedness};
 
 /// Neither coefficient may be more than this many times the other (no unit): the direction of a slip turns towards the
 /// axis of the smaller one at a rate that grows with the square of the ratio, and steps must follow it.
@@ -85,6 +85,11 @@ impl Grain {
         Ok(Self { direction: unit.ok_or_else(unusable)?, of: GrainOf::First })
     }
 
+    /// That of a mirrored body.
+    pub(super) fn mirrored(self) -> Self {
+        Self { direction: Handedness::Mirrored.vector(self.direction), ..self }
+    }
+
     /// The grain of a pair of materials with these grains.
     pub(super) fn of_pair(first: Option<Self>, second: Option<Self>) -> Option<Self> {
         match (first, second) {
@@ -107,6 +112,14 @@ pub(super) enum GivenFriction {
 }
 
 impl GivenFriction {
+    /// That of mirrored bodies.
+    pub(super) fn mirrored(self) -> Self {
+        match self {
+            Self::Ellipse(ellipse, Some(grain)) => Self::Ellipse(ellipse, Some(Handedness::Mirrored.vector(grain))),
+            Self::Circle(_) | Self::Ellipse(_, None) => self,
+        }
+    }
+
     pub(super) fn ellipse(self) -> FrictionEllipse {
         match self {
             Self::Circle(coefficient) => FrictionEllipse::circle(coefficient),

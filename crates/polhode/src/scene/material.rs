@@ -130,6 +130,11 @@ impl Material {
         self.elastic
     }
 
+    /// The same material of mirrored bodies.
+    pub(super) fn mirrored(self) -> Self {
+        Self { grain: self.grain.map(Grain::mirrored), ..self }
+    }
+
     /// The material's name.
     pub fn name(&self) -> &str {
         &self.name
@@ -311,6 +316,11 @@ impl PairRule {
         check_static_friction(&name, static_friction.across, kinetic.across)?;
         static_friction.check(&name)?;
         Ok(Self { static_friction: Some(static_friction), ..self })
+    }
+
+    /// The same rule for mirrored bodies.
+    pub(super) fn mirrored(self) -> Self {
+        Self { friction: self.friction.map(GivenFriction::mirrored), ..self }
     }
 
     /// Both names, for messages.

@@ -12,6 +12,7 @@
 //! | `grain` | [`FrictionEllipse`]: friction along and across a grain |
 //! | `force` | [`Force`]: forces besides uniform gravity and contact |
 //! | `freedom` | [`Coordinate`], [`Freedom`]: what a joint leaves free; [`Limits`], springs, a [`Motor`] along it |
+//! | `copies` | [`SceneCopy`]: scenes set otherwise; `joint_copy` does it for joints |
 //! | `joint` | [`Joint`]: what holds two bodies, or one and the world; `joint_checks` says when it is refused |
 //! | `track` | [`TrackId`], [`TrackHold`]: curves that bodies follow; `joint_on_track` places bodies on them |
 //! | `gear` | [`Gear`]: coordinates of two joints that move together |
@@ -32,6 +33,7 @@
 mod body;
 mod builder;
 mod coordinate_motion;
+mod copies;
 pub(crate) mod effects;
 mod error;
 pub(crate) mod few_digits;
@@ -42,6 +44,7 @@ mod geometry;
 mod grain;
 mod joint;
 mod joint_checks;
+mod joint_copy;
 mod joint_on_track;
 mod laws;
 mod material;
@@ -59,6 +62,7 @@ mod track;
 pub use body::{Body, BodyMass};
 pub use builder::SceneBuilder;
 pub use coordinate_motion::CoordinateMotion;
+pub use copies::{CopyError, ListOrder, SceneCopy};
 pub(crate) use error::{MOST_NAMES, positive};
 pub use error::{OverlapAtStart, SceneError};
 pub(crate) use force::MovingFrames;
@@ -268,7 +272,9 @@ impl Scene {
     /// What is good to know about the scene before it runs: tables of motions that leave the range of their samples.
     pub fn warnings(&self) -> Vec<String> {
         let excursion = |body: &Body| {
-            let found = body.motion()?.excursion()?;
+            // Seen from axes other than its own, a monotone table leaves the range of a coordinate without any fault.
+            let motion = body.motion().filter(|motion| motion.interpolation() == Some(Interpolation::Spline))?;
+            let found = motion.excursion()?;
             Some(format!(
                 "the motion of body {} is a spline: {found}; interpolation = \"monotone\" stays between the samples",
                 body.name

@@ -8,6 +8,7 @@
 //! | `facts` | [`TierFacts`]: what a tier is; `list`: those of each tier |
 //! | `settings` | the method of a scene, completed by the defaults of its tier |
 //! | `scene_checks` | builds a scene, and holds it against its tier |
+//! | `scene_copies` | builds a scene set otherwise |
 //! | `method_checks`, `coordinates` | whether the tier has what the method, and reduced coordinates, ask for |
 //! | `choice` | which tier runs a scene that names none, by what it would cost |
 //! | `core` | `Core`: world, settings, present time and accounts, on which all tiers work |
@@ -34,6 +35,7 @@ mod promise;
 mod sample_penetration;
 pub(crate) mod sampling;
 mod scene_checks;
+mod scene_copies;
 pub(crate) mod settings;
 pub(crate) mod smooth_rates;
 

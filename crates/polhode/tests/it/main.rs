@@ -12,6 +12,7 @@ mod changed_joints;
 mod checks;
 mod closed_loops;
 mod constrained_methods;
+mod copies;
 mod crowd_energy;
 mod crowded_bounces;
 mod dependence;

@@ -2,11 +2,12 @@
 
 use super::judged::{Judged, judge};
 use super::known::Known;
+use polhode::ErrorEstimation;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Judges scenes by one thread for each processor; `each` is called as they come, the rows are in order.
-pub fn judge_all(known: &[&Known], each: impl Fn(&Judged) + Sync) -> Vec<Judged> {
+pub fn judge_all(known: &[&Known], estimation: ErrorEstimation, each: impl Fn(&Judged) + Sync) -> Vec<Judged> {
     let next = AtomicUsize::new(0);
     let all: Mutex<Vec<(usize, Vec<Judged>)>> = Mutex::default();
     std::thread::scope(|scope| {
@@ -15,7 +16,7 @@ pub fn judge_all(known: &[&Known], each: impl Fn(&Judged) + Sync) -> Vec<Judged>
                 loop {
                     let place = next.fetch_add(1, Ordering::Relaxed);
                     let Some(known) = known.get(place) else { break };
-                    let judged = judge(known);
+                    let judged = judge(known, estimation);
                     judged.iter().for_each(&each);
                     if let Ok(mut all) = all.lock() {
                         all.push((place, judged));

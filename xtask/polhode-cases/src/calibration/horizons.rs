@@ -7,7 +7,7 @@
 use super::chaotic::{self, Chaotic};
 use super::distance::Sizes;
 use super::trial::{NoTrial, Trial};
-use polhode::Scene;
+use polhode::{ErrorEstimation, Scene};
 use polhode_oracles::random::Random;
 use polhode_scene::Override;
 use std::error::Error;
@@ -73,7 +73,7 @@ impl fmt::Display for Horizon {
 }
 
 /// The horizons of all chaotic scenes, by one thread for each processor; `each` is called as they come.
-pub fn horizons(root: &Path, only: &str, each: impl Fn(&Horizon) + Sync) -> Vec<Horizon> {
+pub fn horizons(root: &Path, only: &str, estimation: ErrorEstimation, each: impl Fn(&Horizon) + Sync) -> Vec<Horizon> {
     let all: Vec<Chaotic> = chaotic::all(root).into_iter().filter(|one| one.name.starts_with(only)).collect();
     let next = AtomicUsize::new(0);
     let found: Mutex<Vec<(usize, Horizon)>> = Mutex::default();
@@ -83,7 +83,7 @@ pub fn horizons(root: &Path, only: &str, each: impl Fn(&Horizon) + Sync) -> Vec<
                 loop {
                     let place = next.fetch_add(1, Ordering::Relaxed);
                     let Some(chaotic) = all.get(place) else { break };
-                    let horizon = horizon(chaotic);
+                    let horizon = horizon(chaotic, estimation);
                     each(&horizon);
                     if let Ok(mut found) = found.lock() {
                         found.push((place, horizon));
@@ -97,12 +97,12 @@ pub fn horizons(root: &Path, only: &str, each: impl Fn(&Horizon) + Sync) -> Vec<
     found.into_iter().map(|(_, horizon)| horizon).collect()
 }
 
-fn horizon(chaotic: &Chaotic) -> Horizon {
+fn horizon(chaotic: &Chaotic, estimation: ErrorEstimation) -> Horizon {
     let name = format!("{} ({})", chaotic.name, chaotic.tier.name());
     let duration_s = chaotic.duration_s;
     let none =
         Horizon { name, true_s: None, range_s: [f64::NAN; 2], told_s: None, duration_s, apart: f64::NAN, why: None };
-    match measured(chaotic) {
+    match measured(chaotic, estimation) {
         Err(error) => Horizon { why: Some(error.to_string().replace('\n', " ")), ..none },
         Ok(Measured { told_s, mut left_s, mut apart }) => {
             left_s.sort_by(f64::total_cmp);
@@ -128,13 +128,13 @@ struct Measured {
 }
 
 /// Runs a scene undisturbed and disturbed.
-fn measured(chaotic: &Chaotic) -> Result<Measured, Box<dyn Error>> {
+fn measured(chaotic: &Chaotic, estimation: ErrorEstimation) -> Result<Measured, Box<dyn Error>> {
     let scene = loaded(chaotic, &chaotic.text)?;
     let sizes = Sizes::of(&scene);
-    let undisturbed = run(&scene)?;
+    let undisturbed = run(&scene, estimation)?;
     let (mut left_s, mut apart) = (Vec::new(), Vec::new());
     for seed in 0..DISTURBED {
-        let trial = run(&loaded(chaotic, &disturbed(&chaotic.text, seed)?)?)?;
+        let trial = run(&loaded(chaotic, &disturbed(&chaotic.text, seed)?)?, ErrorEstimation::Off)?;
         let rows = undisturbed.rows.iter().zip(&trial.rows);
         let far: Vec<f64> = rows.map(|(a, b)| sizes.between(a, b)).collect();
         let first = far.iter().zip(&trial.times_s).find(|(far, _)| **far >= LEFT);
@@ -151,8 +151,8 @@ fn loaded(chaotic: &Chaotic, text: &str) -> Result<Scene, Box<dyn Error>> {
     Ok(polhode_scene::load_text(&chaotic.name, text, &sets)?.scene)
 }
 
-fn run(scene: &Scene) -> Result<Trial, Box<dyn Error>> {
-    Trial::of(scene).map_err(|why| match why {
+fn run(scene: &Scene, estimation: ErrorEstimation) -> Result<Trial, Box<dyn Error>> {
+    Trial::of(scene, estimation).map_err(|why| match why {
         NoTrial::Refused(why) | NoTrial::Failed(why) => why.into(),
         NoTrial::Late => "it takes very many steps".into(),
     })

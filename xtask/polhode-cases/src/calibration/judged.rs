@@ -5,10 +5,10 @@ use super::known::Known;
 use super::setting::{in_tier, law_of, sampled};
 use super::trial::{NoTrial, Trial};
 use super::truth::{TrueMotion, Unknown};
-use polhode::BodyId;
 use polhode::Scene;
 use polhode::scene::{ImpactLaw, Tier};
 use polhode::tier::TierFeature;
+use polhode::{BodyId, ErrorEstimation};
 use std::error::Error;
 use std::time::Instant;
 
@@ -76,12 +76,12 @@ impl Compared {
 }
 
 /// All tiers of a scene.
-pub(super) fn judge(known: &Known) -> Vec<Judged> {
+pub(super) fn judge(known: &Known, estimation: ErrorEstimation) -> Vec<Judged> {
     let scene = match (known.scene)().and_then(|scene| sampled(scene)) {
         Ok(scene) => scene,
         Err(error) => return known.tiers.iter().map(|&tier| failed(known, tier, error.as_ref())).collect(),
     };
-    let mut truths = Truths { known, scene: &scene, made: Vec::new() };
+    let mut truths = Truths { known, scene: &scene, estimation, made: Vec::new() };
     let judged = |&tier: &Tier| {
         let start = Instant::now();
         let finding = truths.finding(tier).unwrap_or_else(|finding| finding);
@@ -99,6 +99,7 @@ fn failed(known: &Known, tier: Tier, error: &dyn Error) -> Judged {
 struct Truths<'a> {
     known: &'a Known,
     scene: &'a Scene,
+    estimation: ErrorEstimation,
     made: Vec<(ImpactLaw, Result<TrueMotion, Unknown>)>,
 }
 
@@ -118,7 +119,7 @@ impl Truths<'_> {
             return Err(Finding::Refused("the tier has no friction".to_owned()));
         }
         let scene = in_tier(self.scene, tier, self.known.step_s);
-        let trial = run(&scene)?;
+        let trial = run(&scene, self.estimation)?;
         let sizes = Sizes::of(self.scene);
         let law = if self.known.is_by_runs() { law_of(self.scene, tier) } else { ImpactLaw::Reflection };
         let truth = self.by(law, &trial.times_s)?;
@@ -131,7 +132,7 @@ impl Truths<'_> {
         }
         // Judged is a run that ends where the truth is lost: what it tells is of that part.
         let shorter = scene.with_duration(trial.times_s[known.last]).map_err(|e| Finding::Failed(e.to_string()))?;
-        let told = run(&shorter)?.told.relative;
+        let told = run(&shorter, self.estimation)?.told.relative;
         Ok(Finding::Compared(Compared { told, ..known.compared }))
     }
 }
@@ -143,8 +144,8 @@ fn has_friction(scene: &Scene) -> bool {
     bodies().any(|a| bodies().any(|b| a < b && scene.can_collide(a, b) && rubs(a, b)))
 }
 
-fn run(scene: &Scene) -> Result<Trial, Finding> {
-    Trial::of(scene).map_err(|why| match why {
+fn run(scene: &Scene, estimation: ErrorEstimation) -> Result<Trial, Finding> {
+    Trial::of(scene, estimation).map_err(|why| match why {
         NoTrial::Refused(why) => Finding::Refused(why.replace('\n', " ")),
         NoTrial::Failed(why) => Finding::Failed(why.replace('\n', " ")),
         NoTrial::Late => Finding::Late,

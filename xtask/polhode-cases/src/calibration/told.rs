@@ -13,5 +13,5 @@ pub(super) struct Told {
 
 /// What this report tells.
 pub(super) fn told(report: &RunReport) -> Told {
-    Told { relative: report.certificate.estimated_error, horizon_s: None }
+    Told { relative: report.error.relative(), horizon_s: report.error.horizon_s }
 }

@@ -2,7 +2,7 @@
 
 use super::told::{Told, told};
 use polhode::spatial::Pose;
-use polhode::{BodySample, Event, Flow, Observer, Scene, Simulation, SimulationError};
+use polhode::{BodySample, ErrorEstimation, Event, Flow, Observer, Scene, Simulation, SimulationError};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::time::{Duration, Instant};
 
@@ -59,17 +59,18 @@ impl Observer for Watch {
 }
 
 impl Trial {
-    /// Runs a scene.
+    /// Runs a scene, whose error is estimated so.
     ///
     /// # Errors
     /// When there is nothing to compare.
-    pub(super) fn of(scene: &Scene) -> Result<Self, NoTrial> {
+    pub(super) fn of(scene: &Scene, estimation: ErrorEstimation) -> Result<Self, NoTrial> {
         let mut watch = Watch { trial: Self::default(), steps: 0, start: Instant::now(), is_stopped: false };
         let ran = catch_unwind(AssertUnwindSafe(|| {
             let mut simulation = Simulation::new(scene).map_err(|error| match error {
                 SimulationError::Scene(error) => NoTrial::Refused(error.to_string()),
                 error => NoTrial::Failed(error.to_string()),
             })?;
+            simulation.set_error_estimation(estimation);
             simulation.run_observed(&mut watch).map_err(|error| NoTrial::Failed(error.to_string()))
         }));
         let report = ran.unwrap_or_else(|_| Err(NoTrial::Failed("a panic".to_owned())))?;

@@ -4,9 +4,9 @@ use super::distance::{Sizes, places};
 use super::known::{Copy, Known, Place, Truth};
 use super::setting::{Standard, for_so_long, sampled, tightest};
 use super::trial::{NoTrial, Trial};
-use polhode::Scene;
 use polhode::scene::ImpactLaw;
 use polhode::spatial::Pose;
+use polhode::{ErrorEstimation, Scene};
 use std::error::Error;
 
 /// The true motion at samples.
@@ -74,7 +74,7 @@ fn copied(copy: &Copy, scene: &Scene) -> Result<Scene, Box<dyn Error>> {
 
 /// A run that stands for the truth.
 fn standard(scene: &Scene, law: ImpactLaw, standard: Standard) -> Result<Trial, Unknown> {
-    Trial::of(&tightest(scene, law, standard)).map_err(|why| {
+    Trial::of(&tightest(scene, law, standard), ErrorEstimation::Off).map_err(|why| {
         Unknown(match why {
             NoTrial::Refused(why) => format!("accurate does not take it: {why}"),
             NoTrial::Failed(why) => format!("accurate at its tightest fails: {why}"),

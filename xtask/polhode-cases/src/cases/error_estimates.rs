@@ -4,6 +4,7 @@
 use super::{Amount, CaseResult, Context};
 use crate::calibration::{self, Finding, GOALS, Judged, Known, Shares, judge_all};
 use crate::row::Row;
+use polhode::ErrorEstimation;
 
 const CASE: &str = "error estimates";
 
@@ -19,7 +20,7 @@ pub(super) fn rows(context: &Context) -> CaseResult {
     let all = calibration::all(&context.root, 0);
     let every = if context.amount == Amount::Full { 1 } else { PLAIN };
     let meant: Vec<&Known> = all.iter().step_by(every).collect();
-    let judged = judge_all(&meant, |_| {});
+    let judged = judge_all(&meant, ErrorEstimation::Quick, |_| {});
     let all = Shares::of(judged.iter());
     let row = |((what, goal), met): ((&&str, f64), f64)| {
         Row::at_most(CASE, &format!("share of {} runs that do not tell {what}", all.compared), 1.0 - goal, 1.0 - met)

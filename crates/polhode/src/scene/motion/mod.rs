@@ -50,7 +50,7 @@ pub(crate) use table::Departure;
 pub use table::{MotionTable, SampledOrientations};
 
 use crate::report::acceleration::Acceleration;
-use polhode_spatial::{DVec3, Motion, MotionBounds, Pose, Rotation, Velocity};
+use polhode_spatial::{DVec3, Isometry, Motion, MotionBounds, Pose, Rotation, Velocity};
 use sine::Sine;
 use std::sync::Arc;
 use table::SampledCurve;
@@ -122,6 +122,15 @@ impl PrescribedMotion {
         Trajectory { motion: self.clone(), initial: *initial }
     }
 
+    /// The same motion in a space set otherwise, of a body whose initial pose is moved too.
+    pub(crate) fn moved(&self, space: &Isometry) -> Self {
+        Self(match &self.0 {
+            Kind::Constant(velocity, from_s) => Kind::Constant(space.velocity(velocity), *from_s),
+            Kind::Sine(sine) => Kind::Sine(sine.moved(space)),
+            Kind::Table(curve) => Kind::Table(Arc::new(curve.moved(space))),
+        })
+    }
+
     /// The first time on the way from `from` to `to` (s, in either order), strictly between them, at which the motion
     /// is not smooth: a sample of a table, where the third derivatives jump, or the velocities with linear
     /// interpolation. The other motions are smooth.
@@ -138,6 +147,14 @@ impl PrescribedMotion {
         match &self.0 {
             Kind::Constant(..) | Kind::Sine(_) => None,
             Kind::Table(curve) => curve.jump_between(from, to),
+        }
+    }
+
+    /// What is between the samples of a table.
+    pub(crate) fn interpolation(&self) -> Option<Interpolation> {
+        match &self.0 {
+            Kind::Constant(..) | Kind::Sine(_) => None,
+            Kind::Table(curve) => Some(curve.interpolation()),
         }
     }
 

@@ -59,6 +59,11 @@ impl Quintic {
         Self(coefficients)
     }
 
+    /// With every coefficient mapped, by a linear map.
+    pub(super) fn mapped(&self, map: impl Fn(DVec3) -> DVec3) -> Self {
+        Self(self.0.map(map))
+    }
+
     /// The places from 0 to 1, ends included, at which a coordinate (0 to 2) may be largest or smallest.
     pub(super) fn extremes(&self, axis: usize) -> Vec<f64> {
         let derivative: Vec<f64> = (1..COEFFICIENTS).map(|k| k as f64 * self.0[k][axis]).collect();

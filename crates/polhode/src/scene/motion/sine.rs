@@ -6,7 +6,7 @@
 use super::displacement::Displacement;
 use super::error::{MotionError, number, vector, within_reach};
 use polhode_spatial::rounding;
-use polhode_spatial::{DVec3, MotionBounds, Rotation};
+use polhode_spatial::{DVec3, Isometry, MotionBounds, Rotation};
 use std::f64::consts::TAU;
 
 /// An oscillation.
@@ -29,6 +29,11 @@ impl Sine {
         let sine = Self { amplitude, rotation, rate: TAU * frequency_hz, phase: number("the phase", phase)? };
         within_reach(&sine.peak())?;
         Ok(sine)
+    }
+
+    /// The same in a space set otherwise.
+    pub(super) fn moved(&self, space: &Isometry) -> Self {
+        Self { amplitude: space.vector(self.amplitude), rotation: space.axial(self.rotation), ..*self }
     }
 
     /// Bounds over all times.

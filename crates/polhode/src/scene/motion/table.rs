@@ -43,7 +43,7 @@ use super::polynomial::{Jet, Quintic, knot_rates};
 use super::turning;
 use crate::report::acceleration::Acceleration;
 use polhode_spatial::rounding;
-use polhode_spatial::{DVec3, MotionBounds, Pose, Rotation, Velocity};
+use polhode_spatial::{DVec3, Isometry, MotionBounds, Pose, Rotation, Velocity};
 
 /// The orientations of a table.
 #[derive(Debug, Clone, PartialEq)]
@@ -193,6 +193,24 @@ impl SampledCurve {
         let curve = Self { interpolation: Interpolation::Spline, times, path: Some(path), turns: Some(turns) };
         within_reach(&curve.bounds(f64::NEG_INFINITY, f64::INFINITY))?;
         Ok(curve)
+    }
+
+    /// The same in a space set otherwise: what is between the samples is moved as they are, whatever the axes by which
+    /// it was found.
+    pub(super) fn moved(&self, space: &Isometry) -> Self {
+        let path = self.path.as_ref().map(|path| Path {
+            knots: path.knots.iter().map(|&knot| space.point(knot)).collect(),
+            between: path.between.iter().map(|own| own.mapped(|v| space.vector(v))).collect(),
+        });
+        let turns = self.turns.as_ref().map(|turns| Turns {
+            knots: turns.knots.iter().map(|&knot| space.rotation(knot)).collect(),
+            between: turns.between.iter().map(|own| own.mapped(|v| space.axial(v))).collect(),
+        });
+        Self { interpolation: self.interpolation, times: self.times.clone(), path, turns }
+    }
+
+    pub(super) const fn interpolation(&self) -> Interpolation {
+        self.interpolation
     }
 
     /// Whether the table has positions, and whether it has orientations.
