@@ -58,6 +58,12 @@ const FIXED_STEPS_OF_SPRINGS: &str = "\
     runs of fixed steps and those under error control end in motions that differ by a constant since springs that \
     hold have dampers and give way in two stages: which of both is wrong is not traced";
 
+/// Why errors are told too low.
+const PIECES_MISS: &str = "\
+    what three tenths of the time of a run pay for: where a run by another method costs more, it is compared with \
+    longer steps, which agree with it where the method is wrong at any step, and with pieces, between which events \
+    fall; in the tier accurate what neither tolerance nor steps change is not seen";
+
 /// Those of every run.
 const KNOWN_FAILURES: &[KnownFailure] = &[
     KnownFailure {
@@ -66,6 +72,16 @@ const KNOWN_FAILURES: &[KnownFailure] = &[
         reason: "the review counted 72,806 with 2,549 lines of up to 641 columns, which are some 6,000 more at 120; of \
                  what stands now 57,000 are code, and what no method, effect or figure needs has gone: fewer are had \
                  by leaving out a tier",
+    },
+    KnownFailure {
+        case: "error estimates",
+        quantity: "share of runs that do not tell at least a tenth",
+        reason: PIECES_MISS,
+    },
+    KnownFailure {
+        case: "error estimates",
+        quantity: "share of runs that do not tell at least a hundredth",
+        reason: PIECES_MISS,
     },
     KnownFailure {
         case: "IM-03",

@@ -169,6 +169,7 @@ fn error_json(report: &RunReport) -> Value {
             "kind": reference.kind.name(),
             "method": reference.method,
             "covered_s": reference.covered_s,
+            "work": reference.work,
             "largest_distance": reference.largest_distance,
             "ended": reference.ended,
         })

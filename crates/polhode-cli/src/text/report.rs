@@ -173,10 +173,11 @@ fn estimated(report: &RunReport) -> String {
 fn compared(reference: &ReferenceReport) -> String {
     let ended = reference.ended.as_ref().map_or_else(String::new, |why| format!("; {why}"));
     format!(
-        "{} ({}) for {} s: at most {} of a body's size apart{ended}",
+        "{} ({}) for {} s, at {} of the work: at most {} of a body's size apart{ended}",
         reference.kind.name(),
         reference.method,
         number(reference.covered_s),
+        number(reference.work),
         number(reference.largest_distance)
     )
 }

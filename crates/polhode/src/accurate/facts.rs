@@ -1,5 +1,6 @@
 //! What the tier `accurate` is.
 
+use crate::report::run_error::ReferenceKind;
 use crate::scene::{ContactMethod, ImpactLaw, Integrator, OverlapLimit, Promise, Tier};
 use crate::solve::cone_violation::CONE_LIMIT;
 use crate::tier::facts::{
@@ -32,6 +33,7 @@ pub(crate) const FACTS: TierFacts = TierFacts {
     flight: FlightRecords::WhereExact,
     order: ErrorOrder::OfIntegrator,
     second_opinion: Tier::Accurate,
+    compared_first: ReferenceKind::OtherSteps,
     cheap: Tier::Accurate,
     promise: PROMISE,
     remedy: "from there on the motion is not to be trusted; a smaller method.tolerance may help",

@@ -107,11 +107,13 @@ impl Motions {
 
     /// Evaluates those present states whose evaluation changes an integrator.
     pub(super) fn set_present(&mut self, core: &Core) -> Result<(), SimulationError> {
+        let work_before = core.model.work.total();
         for island in self.islands.values_mut() {
             if let Step::Free(step) = &mut island.step {
                 step.set_present(&core.model, core.t)?;
             }
         }
+        core.model.work.count_since(work_before, 0);
         Ok(())
     }
 
@@ -132,11 +134,14 @@ impl Motions {
         if let Some(states) = self.state_cache.at(t) {
             return Ok(Arc::clone(states));
         }
+        let work_before = core.model.work.total();
         let mut cache = std::mem::take(&mut self.state_cache);
         // The memory of the last states is reused, unless a caller still holds it.
         let states = Arc::make_mut(&mut cache.states);
         self.write_states_at(core, t, states)?;
         core.accounts.observe(&core.model, states, t)?;
+        // What is evaluated between steps depends on what has been asked before.
+        core.model.work.count_since(work_before, 0);
         self.observed_s = t;
         cache.t = self.islands.is_empty().then_some(t);
         self.state_cache = cache;

@@ -12,8 +12,8 @@ pub(crate) struct OfKind {
     pub(crate) method: String,
     /// References begun.
     pub(crate) begun: u32,
-    /// Those that failed, one after the other.
-    pub(crate) failed: u32,
+    /// Whether one has failed.
+    pub(crate) has_failed: bool,
     /// How long they have run, s.
     pub(crate) covered_s: f64,
     /// The largest distance of a body from them, of its size.
@@ -39,6 +39,8 @@ struct Largest {
 pub(crate) struct Course {
     /// Whether the first references have been begun.
     pub(crate) has_begun: bool,
+    /// When they began, s.
+    pub(crate) start_s: f64,
     /// Units of work that the beginning of the run took.
     pub(crate) beginning: u64,
     /// When the run was compared last, and when it is to be compared next, s.
@@ -56,6 +58,11 @@ pub(crate) struct Course {
 }
 
 impl Course {
+    /// Whether the first references began at this time (s).
+    pub(crate) fn has_begun_at(&self, t: f64) -> bool {
+        self.has_begun && self.start_s == t
+    }
+
     /// What is known of a kind.
     pub(crate) fn of(&self, kind: ReferenceKind) -> &OfKind {
         &self.kinds[kind as usize]
@@ -103,11 +110,13 @@ impl Course {
         })
     }
 
-    /// What a report says of the references that have been begun.
-    pub(crate) fn references(&self) -> Vec<ReferenceReport> {
+    /// What a report says of the references that have been begun, by a run that has taken `own` units of work, beside
+    /// which those of each kind that run now have taken so many.
+    pub(crate) fn references(&self, own: u64, running: impl Fn(ReferenceKind) -> u64) -> Vec<ReferenceReport> {
         let report = |kind: ReferenceKind| {
-            let OfKind { method, covered_s, largest, ended, .. } = self.of(kind).clone();
-            ReferenceReport { kind, method, covered_s, largest_distance: largest, ended }
+            let OfKind { method, covered_s, largest, ended, spent, .. } = self.of(kind).clone();
+            let work = (spent + running(kind)) as f64 / own.max(1) as f64;
+            ReferenceReport { kind, method, covered_s, work, largest_distance: largest, ended }
         };
         let told = |kind: &ReferenceKind| self.of(*kind).begun > 0 || self.of(*kind).ended.is_some();
         ReferenceKind::ALL.into_iter().filter(told).map(report).collect()

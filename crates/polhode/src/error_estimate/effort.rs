@@ -41,11 +41,13 @@ impl ErrorEstimation {
         }
     }
 
-    /// How many times longer the fixed steps of a reference are.
-    pub(crate) const fn step_factor(self) -> f64 {
-        match self {
-            Self::Off | Self::Quick => 6.0,
-            Self::Full => 2.0,
+    /// How many times longer the fixed steps of a reference are, when so many have begun: longer ones where the first
+    /// cost too much, and for pieces as at first.
+    pub(crate) const fn step_factor(self, begun: u32) -> f64 {
+        match (self, begun) {
+            (Self::Full, _) => 2.0,
+            (_, 1) => 15.0,
+            _ => 6.0,
         }
     }
 }

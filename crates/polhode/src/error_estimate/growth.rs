@@ -15,7 +15,7 @@
 use serde::{Deserialize, Serialize};
 
 /// The relative difference of a start disturbed by rounding.
-pub(crate) const ROUNDING: f64 = f64::EPSILON;
+pub(crate) const ROUNDING_OF_START: f64 = f64::EPSILON;
 
 /// The part of a body to which a difference has grown at the horizon.
 const HORIZON: f64 = 1e-2;
@@ -31,7 +31,7 @@ pub(crate) struct Growth {
 
 impl Default for Growth {
     fn default() -> Self {
-        Self { distance: ROUNDING, horizon_s: None }
+        Self { distance: ROUNDING_OF_START, horizon_s: None }
     }
 }
 

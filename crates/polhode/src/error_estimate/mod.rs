@@ -13,18 +13,18 @@
 //! `e(t) = G(t_b, t) e(t_b) + c d(t)`
 //!
 //! Where none runs, the error is amplified too, and grows by what the last piece that was followed has added per
-//! second. It is never below what rounding makes of coordinates and angles, nor above twice the way of a body.
+//! second. It is never below what rounding makes of coordinates and angles, nor above the way that a body has come.
 //!
 //! References may take a part of the work of the run ([`effort`], [`budget`]). It is counted and not measured
-//! (`crate::model::work`), so that the estimate is the same on every machine. `crate::run::accompany` begins and follows
-//! them. Nothing that a reference does can change or end the run.
+//! (`crate::model::work`), so that the estimate is the same on every machine. `crate::run::accompany` begins and
+//! follows them. Nothing that a reference does can change or end the run.
 //!
 //! The distance of motions that swing passes through zero. That of the past therefore fades within a fifth of the time
 //! that a reference has run.
 //!
 //! How it fails: what happens while no reference runs is seen by its rate alone; a reference with longer steps may take
-//! another branch than the run does, and the estimate is too large then. Source: comparison of methods and step doubling
-//! (docs/REFERENCES.md, Hairer, Norsett and Wanner).
+//! another branch than the run does, and the estimate is too large then. Source: comparison of methods and step
+//! doubling (docs/REFERENCES.md, Hairer, Norsett and Wanner).
 //!
 //! | module | holds |
 //! |---|---|

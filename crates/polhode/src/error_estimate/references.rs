@@ -14,12 +14,16 @@ pub(crate) struct Reference<S> {
     pub(crate) partner: Option<Box<S>>,
     /// When it began, s.
     pub(crate) begun_s: f64,
+    /// How many of its kind began before it.
+    pub(crate) number: u32,
     /// Whether it began with the run.
     pub(crate) is_whole: bool,
     /// The errors of the bodies where it began.
     pub(crate) base: Vec<BodyError>,
     /// What its distance is multiplied by (no unit).
     pub(crate) weight: f64,
+    /// How often it has been compared.
+    pub(crate) comparisons: u32,
     /// The errors since then that its distance from the run says.
     pub(crate) since: Vec<BodyError>,
 }
@@ -28,6 +32,7 @@ pub(crate) struct Reference<S> {
 #[derive(Debug)]
 pub(crate) struct ReferenceBegin {
     pub(crate) begun_s: f64,
+    pub(crate) number: u32,
     pub(crate) is_whole: bool,
     pub(crate) base: Vec<BodyError>,
     pub(crate) weight: f64,
@@ -36,8 +41,8 @@ pub(crate) struct ReferenceBegin {
 impl<S> Reference<S> {
     /// A reference that begins.
     pub(crate) fn new(kind: ReferenceKind, run: Box<S>, begin: ReferenceBegin) -> Self {
-        let ReferenceBegin { begun_s, is_whole, base, weight } = begin;
-        Self { kind, run, partner: None, begun_s, is_whole, base, weight, since: Vec::new() }
+        let ReferenceBegin { begun_s, number, is_whole, base, weight } = begin;
+        Self { kind, run, partner: None, begun_s, number, is_whole, base, weight, comparisons: 0, since: Vec::new() }
     }
 }
 

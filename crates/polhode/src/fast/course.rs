@@ -305,6 +305,11 @@ impl Course {
         }
     }
 
+    /// How many patches the groups of the step have.
+    pub(super) fn patches(&self) -> usize {
+        self.groups[..self.used].iter().map(|group| group.patches.len()).sum()
+    }
+
     /// The step of each group for itself.
     pub(super) fn solve(&mut self, model: &Model, executor: &dyn Executor, (t, rules): (f64, &Rules)) {
         let warm = if self.last_h > 0.0 { rules.h / self.last_h } else { 0.0 };

@@ -1,5 +1,6 @@
 //! What the tier `fast` is.
 
+use crate::report::run_error::ReferenceKind;
 use crate::scene::{ContactMethod, ImpactLaw, Integrator, OverlapLimit, Promise, Tier};
 use crate::tier::facts::{ErrorOrder, FlightRecords, IntegratorChoice, StepLength, TierFacts, TierFeature};
 
@@ -41,6 +42,7 @@ pub(crate) const FACTS: TierFacts = TierFacts {
     flight: FlightRecords::None,
     order: ErrorOrder::WithContact(ORDER_OF_SUBSTEPS),
     second_opinion: Tier::Accurate,
+    compared_first: ReferenceKind::OtherMethod,
     cheap: Tier::Fast,
     promise: PROMISE,
     remedy: "a shorter method.step or more method.substeps would help, or method.tier = \"stepped\"",

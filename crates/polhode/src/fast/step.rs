@@ -11,7 +11,7 @@ use super::course::Course;
 use super::rest::wake;
 use super::rules::Rules;
 use crate::error::SimulationError;
-use crate::model::{Model, prescribed};
+use crate::model::{Model, prescribed, work};
 use crate::tier::executor::Executor;
 use polhode_dynamics::BodyState;
 
@@ -37,6 +37,9 @@ pub(super) fn step(
     stepping.advance(times, rules, DIVISIONS)
 }
 
+/// Substeps of a patch that cost a unit of work.
+const SUBSTEPS_OF_UNIT: usize = 2;
+
 /// Who is told of each piece.
 type After<'a> = dyn FnMut(&Course, [f64; 2], &[BodyState], &Rules) + 'a;
 
@@ -52,7 +55,12 @@ impl Stepping<'_> {
     /// Advances between two times (s) by these rules, divided so often at most.
     fn advance(&mut self, times: [f64; 2], rules: &Rules, divisions: u32) -> Result<(), SimulationError> {
         let before = self.course.states.clone();
-        if piece(self.course, self.model, self.executor, (times, rules), divisions)? {
+        let work_before = self.model.work.total();
+        let is_taken = piece(self.course, self.model, self.executor, (times, rules), divisions)?;
+        // Which pairs are near depends on what the broad phase remembers: counted are those that touch.
+        let of_patch = work::OF_PAIR + rules.substeps as usize / SUBSTEPS_OF_UNIT;
+        self.model.work.count_since(work_before, self.course.patches() * of_patch);
+        if is_taken {
             (self.after)(self.course, times, &before, rules);
             return Ok(());
         }

@@ -2,12 +2,13 @@
 //!
 //! The runs that estimate the error of a run beside it may take a part of its work (`crate::error_estimate`). A clock
 //! would make the estimate depend on the machine and on what else it does; a count has the same value everywhere and
-//! for any number of threads, since sums of whole numbers have no order. It is told by what is computed most often: pairs
-//! of shapes, problems of rows, bodies at the stages of integrators. No motion depends on it.
+//! for any number of threads, since sums of whole numbers have no order. It is told by what is computed most often:
+//! pairs of shapes, problems of rows, bodies at the stages of integrators. No motion depends on it.
 //!
 //! How it fails: the units were fitted to runs of shipped scenes (`xtask error-cost`), and are off by a factor of up to
 //! two where something else is computed most often.
 
+use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 /// Units of a pair of shapes whose contacts or distance are found.
@@ -26,11 +27,11 @@ pub(crate) const OF_BEGINNING: usize = 300;
 const COUPLED_ROWS: usize = 48;
 
 /// Rows whose coupling with another one costs a unit.
-const ROWS_OF_UNIT: usize = 8;
+pub(crate) const ROWS_OF_UNIT: usize = 8;
 
 /// A count of work, which threads may share.
 #[derive(Debug, Default)]
-pub(crate) struct Work(AtomicU64);
+pub(crate) struct Work(Arc<AtomicU64>);
 
 impl Clone for Work {
     /// That of a copy of the model, which has computed nothing.
@@ -45,9 +46,19 @@ impl Work {
         self.0.fetch_add(units as u64, Ordering::Relaxed);
     }
 
-    /// Counts a problem of so many rows between so many bodies.
-    pub(crate) fn add_problem(&self, bodies: usize, rows: usize) {
-        self.add(1 + bodies * OF_BODY + rows + rows * rows.min(COUPLED_ROWS) / ROWS_OF_UNIT);
+    /// Counts so many units in the place of what has been counted since the count was this, by nobody else meanwhile.
+    pub(crate) fn count_since(&self, before: u64, units: usize) {
+        self.0.store(before + units as u64, Ordering::Relaxed);
+    }
+
+    /// The same count, for those who compute with what was made from the model.
+    pub(crate) fn shared(&self) -> Self {
+        Self(Arc::clone(&self.0))
+    }
+
+    /// Counts the solution of a problem of so many rows.
+    pub(crate) fn add_problem(&self, rows: usize) {
+        self.add(1 + rows + rows * rows.min(COUPLED_ROWS) / ROWS_OF_UNIT);
     }
 
     /// The units counted so far.

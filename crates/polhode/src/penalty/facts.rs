@@ -1,5 +1,6 @@
 //! What the tier `penalty` is.
 
+use crate::report::run_error::ReferenceKind;
 use crate::scene::{ContactMethod, ImpactLaw, Integrator, OverlapLimit, Promise, Response, Tier};
 use crate::tier::facts::{
     ErrorOrder, FlightRecords, IntegratorChoice, LONGEST_STEP_S, StepLength, TierFacts, TierFeature,
@@ -33,6 +34,7 @@ pub(crate) const FACTS: TierFacts = TierFacts {
     flight: FlightRecords::None,
     order: ErrorOrder::OfIntegrator,
     second_opinion: Tier::Penalty,
+    compared_first: ReferenceKind::OtherSteps,
     cheap: Tier::Penalty,
     promise: PROMISE,
     remedy: "a smaller method.penalty.penetration_m would help, or method.tier = \"accurate\"",

@@ -99,6 +99,8 @@ pub struct ReferenceReport {
     pub method: String,
     /// For how long, s.
     pub covered_s: f64,
+    /// Their work, of that of the run, as it is counted (no unit).
+    pub work: f64,
     /// How far the run was from them at most, of the size of a body.
     pub largest_distance: f64,
     /// Why the last one ended before the run did, in words.

@@ -13,12 +13,13 @@ use crate::joints::bilateral::{self, Bilateral, Reaction};
 use crate::joints::held;
 use crate::joints::joint_friction::{self, LastRound, Pressed};
 use crate::model::plane_of_motion::PlaneOfMotion;
+use crate::model::work::{self, Work};
 use crate::model::{Loads, Model, prescribed};
 use crate::rows::rotation_row::RotationRow;
 use polhode_contact::{ContactGeometry, ContactKinematics, TangentialKinematics};
 use polhode_dynamics::BodyState;
 use polhode_response::solve::held::{Independence, Supports};
-use polhode_response::{Answer, Ask, ContactProblem, Memory, Question, ResponseError, RowProblem, solve};
+use polhode_response::{ContactProblem, ResponseError};
 use polhode_spatial::DVec3;
 use std::borrow::Cow;
 use std::ops::Range;
@@ -115,6 +116,8 @@ pub(crate) struct Assembly {
     /// Movable bodies, in the order of the problem's blocks.
     bodies: Vec<usize>,
     coordinates: Coordinates,
+    /// The count of work of the model.
+    pub(super) work: Work,
 }
 
 impl Assembly {
@@ -174,7 +177,7 @@ impl Assembly {
         }
         let depend = pressed.iter().any(|(_, own)| own.is_by_load()) && held::has_loops_among(model, bodies);
         let supports = depend.then(|| Supports::of(&problem, contacts..problem.len()));
-        model.work.add_problem(bodies.len(), problem.len());
+        model.work.add(bodies.len() * work::OF_BODY);
         let bodies = bodies.to_vec();
         Ok(Self {
             problem,
@@ -191,6 +194,7 @@ impl Assembly {
             supports,
             bodies,
             coordinates,
+            work: model.work.shared(),
         })
     }
 
@@ -306,25 +310,6 @@ impl Assembly {
     /// The rows of bilateral constraints.
     pub(crate) fn joint_rows(&self) -> Range<usize> {
         self.contacts..self.first_tangent()
-    }
-
-    /// The rows as the problem of which this is known.
-    pub(crate) fn with<'a>(&'a self, known: Question<'a>) -> RowProblem<'a> {
-        RowProblem { rows: &self.problem, joints: self.joint_rows(), known }
-    }
-
-    /// The reactions of the rows: forces (N), impulses (N s), or what displaces bodies.
-    ///
-    /// # Errors
-    /// When a list has another length than there are rows, or a number is not finite.
-    #[cfg_attr(feature = "census", track_caller)]
-    pub(crate) fn answer(
-        &self,
-        known: Question<'_>,
-        ask: Ask<'_>,
-        memory: &mut Memory,
-    ) -> Result<Answer, ResponseError> {
-        solve(&self.with(known), ask, memory)
     }
 
     /// The constraint of a row.

@@ -4,11 +4,13 @@
 //! | module | holds |
 //! |---|---|
 //! | `assembly` | the rows of a group: contacts, bilateral constraints, tangents, rotations; what their reactions are |
+//! | `answers` | what is asked of them |
 //! | `groups` | bodies that contacts, joints and forces connect |
 //! | `frictional_contact`, `friction_blocks` | a contact with friction among the rows, and the laws of its block |
 //! | `rotation_row`, `resisted_rotation` | rows of rolling and spinning, and the friction that resists them |
 //! | `many_contacts` | which contacts of a pair stand for many |
 
+mod answers;
 pub(crate) mod assembly;
 pub(crate) mod friction_blocks;
 pub(crate) mod frictional_contact;

@@ -4,13 +4,13 @@
 //! References begin with the run, follow every action of the program, and are compared with the run at its present,
 //! whenever they have come to the end of a step of theirs. Where they take more of the work of the run than they may,
 //! the one that takes most ends; others begin when that part has grown enough. A reference that fails ends, and the
-//! report says why; after three failures of a kind, one after the other, none begins any more.
+//! report says why; no other one of its kind begins then.
 
 use crate::error::SimulationError;
 use crate::error_estimate::budget::{Allowed, LEAST_COMPARISONS, allowed};
 use crate::error_estimate::course::Course;
 use crate::error_estimate::effort::ErrorEstimation;
-use crate::error_estimate::growth::ROUNDING as ROUNDING_OF_START;
+use crate::error_estimate::growth::ROUNDING_OF_START;
 use crate::error_estimate::references::{Reference, ReferenceBegin, References, StartOfRun};
 use crate::model::plane_of_motion::PlanarBodies;
 use crate::model::work;
@@ -25,17 +25,17 @@ use polhode_spatial::DVec3;
 /// Comparisons of a run under error control.
 const COMPARISONS: f64 = 200.0;
 
-/// Failures of references of a kind, one after the other, after which none begins any more.
-const MOST_FAILURES: u32 = 3;
+/// Comparisons after which it is foreseen what a whole reference will cost.
+const COMPARISONS_TO_FORESEE: u32 = 4;
 
-/// How often the first step of another method solves for what the beginning of the run has solved for.
-const STAGES_OF_BEGINNING: f64 = 20.0;
+/// Rows of a pair that touches, in three directions at four points.
+const ROWS_OF_PAIR: usize = 12;
+
+/// Rows of another method from which on each further one costs as much.
+const ROWS_COUPLED_AT_ONCE: usize = 400;
 
 /// Distances of the past fade within this part of the time that a reference has run (no unit, 0.05 to 0.5).
 const FADES_WITHIN: f64 = 0.2;
-
-/// The largest error that a body is said to have, in ways that it has come from its start (no unit, 1 to 4).
-const MOST_WAYS: f64 = 2.0;
 
 /// The estimated error, of the size of a body, beyond which a warning says that its place is not known (no unit, 0.01
 /// to 1).
@@ -44,8 +44,14 @@ const PLACE_UNKNOWN: f64 = 0.1;
 /// The error of time steps in crowded events, in distances from a run with steps twice as long (no unit, 1 to 3).
 const CROWDED_WEIGHT: f64 = 2.0;
 
+/// Roundings of the run, each as large as that of the start of a disturbed run, that add up (no unit, 1 to 30).
+const ROUNDINGS: f64 = 10.0;
+
+/// The part of the tolerance of a step that the errors of all steps come to at least (no unit, 0.01 to 1).
+const PART_OF_TOLERANCE: f64 = 0.3;
+
 /// Rounding of a position, of its coordinates, and of an attitude, of the angle that a body has turned by (no unit).
-const ROUNDING: f64 = 8.0 * f64::EPSILON;
+const ROUNDING_OF_PLACES: f64 = 8.0 * f64::EPSILON;
 
 impl Simulation {
     /// Estimates the error of the run so from now on. Before the first step references begin with the run; later they
@@ -71,7 +77,8 @@ impl Simulation {
 
     /// The estimated error of the run at its last comparison.
     pub fn error(&self) -> RunError {
-        let References { effort, ref course, .. } = self.references;
+        let References { effort, ref course, ref running, .. } = self.references;
+        let work = |kind| running.iter().filter(|own| own.kind == kind).map(Reference::work).sum();
         let mut bodies = course.errors.clone();
         bodies.truncate(self.core.model.shown());
         RunError {
@@ -79,7 +86,7 @@ impl Simulation {
             largest: course.largest(),
             bodies,
             horizon_s: course.growth.horizon_s,
-            references: course.references(),
+            references: course.references(self.core.work, work),
         }
     }
 
@@ -92,14 +99,12 @@ impl Simulation {
         let course = &mut self.references.course;
         course.has_begun = true;
         course.compared_s = start.t_s;
+        course.start_s = start.t_s;
         course.beginning = self.core.work;
         course.start = self.tier.samples(&self.core).iter().map(place_of).collect();
         self.references.start = Some(start);
-        let mut references = std::mem::take(&mut self.references);
-        self.references.effort = references.effort;
-        self.begin_due(&mut references);
-        references.course.next_s = self.next_comparison();
-        self.references = references;
+        self.begin_due();
+        self.references.course.next_s = self.next_comparison();
     }
 
     /// The kinds of references of an effort.
@@ -109,7 +114,9 @@ impl Simulation {
         let is_fixed = self.core.settings.named_integrator.is_some_and(|named| !named.controls_error());
         // The same tier with a smaller tolerance costs more than the run.
         let is_used = move |kind: &ReferenceKind| *kind != ReferenceKind::OtherMethod || !repeats || is_fixed;
-        ReferenceKind::ALL.into_iter().filter(is_used)
+        let first = tier.facts().compared_first;
+        let others = ReferenceKind::ALL.into_iter().filter(move |kind| *kind != first);
+        std::iter::once(first).chain(others).filter(is_used)
     }
 
     /// When the run is compared next, s.
@@ -119,15 +126,16 @@ impl Simulation {
             return t + (self.scene.duration_s() / COMPARISONS).max(settings.step_s);
         }
         // The ends of the longer steps of a reference are ends of steps of the run.
-        let long_step_s = settings.step_s * self.references.effort.step_factor();
+        let long_step_s = settings.step_s * self.references.effort.step_factor(0);
         let several = (self.scene.duration_s() / (COMPARISONS * long_step_s)).floor().max(1.0);
         let interval_s = long_step_s * several;
         ((t / interval_s).floor() + 1.0) * interval_s
     }
 
     /// Begins a reference of a kind: with the run, if it can, else within it.
-    fn begin_reference(&self, references: &mut References<Self>, kind: ReferenceKind, start: Option<&StartOfRun>) {
-        let Some(by) = self.reference_method(kind) else { return };
+    fn begin_reference(&mut self, kind: ReferenceKind, start: Option<&StartOfRun>) {
+        let number = self.references.course.of(kind).begun;
+        let by = self.reference_method(kind, self.references.effort, number);
         let present = self.start_at_present();
         let from = start.unwrap_or(&present);
         let begun = if kind == ReferenceKind::Disturbed {
@@ -137,18 +145,19 @@ impl Simulation {
         } else {
             self.beside(&by, from, 0.0).map(|run| (run, None))
         };
-        let base = if start.is_some() { Vec::new() } else { references.course.errors.clone() };
-        let own = references.course.of_mut(kind);
+        let base = if start.is_some() { Vec::new() } else { self.references.course.errors.clone() };
+        let own = self.references.course.of_mut(kind);
         match begun {
             Ok((run, partner)) => {
                 own.begun += 1;
                 own.method = by.words;
                 own.ended = None;
-                let begin = ReferenceBegin { begun_s: from.t_s, is_whole: start.is_some(), base, weight: by.weight };
-                references.running.push(Reference { partner, ..Reference::new(kind, Box::new(run), begin) });
+                let (begun_s, is_whole, weight) = (from.t_s, start.is_some(), by.weight);
+                let begin = ReferenceBegin { begun_s, number, is_whole, base, weight };
+                self.references.running.push(Reference { partner, ..Reference::new(kind, Box::new(run), begin) });
             }
             Err(error) => {
-                own.failed += 1;
+                own.has_failed = true;
                 own.ended = Some(error.to_string());
             }
         }
@@ -168,51 +177,52 @@ impl Simulation {
     /// Brings the references to the present of the run, and compares it with them.
     fn compare(&mut self) {
         let t = self.core.t;
-        let mut references = std::mem::take(&mut self.references);
-        self.references.effort = references.effort;
-        let mut running = std::mem::take(&mut references.running);
-        let now = self.allowed(&references);
+        let mut running = std::mem::take(&mut self.references.running);
+        let (now, first) = (self.allowed(), self.core.settings.tier.facts().compared_first);
         for place in (0..running.len()).rev() {
             let kind = running[place].kind;
             let (before, from_s) = (running[place].work(), running[place].run.core.t);
-            let reached = running[place].bring_to(t, now.ahead - references.course.spent() as f64);
+            // What others have cost in vain does not end the first one, by which the error is known.
+            let in_vain = if kind == first { 0 } else { self.references.course.spent() };
+            let reached = running[place].bring_to(t, now.ahead - in_vain as f64);
             let way_s = running[place].run.core.t - from_s;
             if way_s > 0.0 {
-                references.course.of_mut(kind).per_second = (running[place].work() - before) as f64 / way_s;
+                self.references.course.of_mut(kind).per_second = (running[place].work() - before) as f64 / way_s;
             }
+            let of_rest = self.references.course.of(kind).per_second * (self.scene.duration_s() - t);
+            let reference = &mut running[place];
+            reference.comparisons += 1;
+            let is_foreseen = reference.is_whole && reference.comparisons == COMPARISONS_TO_FORESEE;
             match reached {
-                Ok(true) => references.course.of_mut(kind).failed = 0,
-                Ok(false) => self.end_reference(&mut references, &mut running, place, None),
-                Err(error) => self.end_reference(&mut references, &mut running, place, Some(error)),
+                // A whole one that cannot be paid for to the end leaves what is left to others.
+                Ok(true) if is_foreseen && of_rest > now.of_rest + now.at_once - reference.work() as f64 => {
+                    self.end_reference(&mut running, place, None);
+                }
+                Ok(true) => {}
+                Ok(false) => self.end_reference(&mut running, place, None),
+                Err(error) => self.end_reference(&mut running, place, Some(error)),
             }
         }
-        while spent(&references.course, &running) > now.ahead {
+        while spent(&self.references.course, &running) > now.ahead {
             let rate = |own: &Reference<Self>| own.work() as f64 / (t - own.begun_s);
-            let costliest = running.iter().enumerate().max_by(|a, b| rate(a.1).total_cmp(&rate(b.1)));
-            let Some((place, _)) = costliest else { break };
-            self.end_reference(&mut references, &mut running, place, None);
+            let others = running.iter().enumerate().filter(|(_, own)| own.kind != first);
+            let Some((place, _)) = others.max_by(|a, b| rate(a.1).total_cmp(&rate(b.1))) else { break };
+            self.end_reference(&mut running, place, None);
         }
-        references.running = running;
-        self.note_distances(&mut references);
-        if self.ended && references.course.errors.is_empty() {
-            self.repeat_with_other_steps(&mut references);
-            self.note_distances(&mut references);
+        self.references.running = running;
+        self.note_distances();
+        if self.ended && self.references.course.errors.is_empty() {
+            self.repeat_with_other_steps();
+            self.note_distances();
         }
-        self.begin_due(&mut references);
-        self.references = references;
+        self.begin_due();
         self.references.course.next_s = self.next_comparison();
     }
 
     /// Ends the reference at this place, because of an error or of what it costs.
-    fn end_reference(
-        &self,
-        references: &mut References<Self>,
-        running: &mut Vec<Reference<Self>>,
-        place: usize,
-        error: Option<SimulationError>,
-    ) {
+    fn end_reference(&mut self, running: &mut Vec<Reference<Self>>, place: usize, error: Option<SimulationError>) {
         let reference = running.remove(place);
-        let course = &mut references.course;
+        let course = &mut self.references.course;
         let length_s = course.compared_s - reference.begun_s;
         if length_s > 0.0 && reference.kind != ReferenceKind::Disturbed {
             course.rates = reference.since.iter().map(|since| since.times(1.0 / length_s)).collect();
@@ -221,7 +231,7 @@ impl Simulation {
         own.spent += reference.work();
         match error {
             Some(error) => {
-                own.failed += 1;
+                own.has_failed = true;
                 own.ended = Some(error.to_string());
             }
             None => own.ended = Some("it costs more than the estimate may".to_owned()),
@@ -230,28 +240,32 @@ impl Simulation {
 
     /// Repeats a run that has ended with other steps, where it was too short for anything else: one that costs more
     /// than the estimate may is better than none.
-    fn repeat_with_other_steps(&self, references: &mut References<Self>) {
-        let Some(start) = references.start.take() else { return };
-        self.begin_reference(references, ReferenceKind::OtherSteps, Some(&start));
-        let mut running = std::mem::take(&mut references.running);
+    fn repeat_with_other_steps(&mut self) {
+        let Some(start) = self.references.start.take() else { return };
+        self.begin_reference(ReferenceKind::OtherSteps, Some(&start));
+        let mut running = std::mem::take(&mut self.references.running);
         if let Some(Err(error)) = running.last_mut().map(|own| own.bring_to(self.core.t, f64::INFINITY)) {
             let last = running.len() - 1;
-            self.end_reference(references, &mut running, last, Some(error));
+            self.end_reference(&mut running, last, Some(error));
         }
-        references.running = running;
+        self.references.running = running;
     }
 
     /// What references may have taken by now.
-    fn allowed(&self, references: &References<Self>) -> Allowed {
-        let begun_s = references.start.as_ref().map_or(0.0, |start| start.t_s);
-        allowed(references.effort, self.core.work, (self.core.t - begun_s) / (self.scene.duration_s() - begun_s))
+    fn allowed(&self) -> Allowed {
+        let begun_s = self.references.course.start_s;
+        allowed(self.references.effort, self.core.work, (self.core.t - begun_s) / (self.scene.duration_s() - begun_s))
     }
 
     /// Begins references that the run can pay for now: whole ones, from its start, if it can pay for all of their way,
     /// else pieces.
-    fn begin_due(&self, references: &mut References<Self>) {
+    fn begin_due(&mut self) {
         let t = self.core.t;
-        for kind in self.kinds(references.effort) {
+        for kind in self.kinds(self.references.effort) {
+            let allowed = self.allowed();
+            let interval_s = self.next_comparison() - t;
+            let touching_pairs = self.tier.touching_pairs();
+            let references = &mut self.references;
             let known = references.course.of(kind);
             let is_needless = match kind {
                 ReferenceKind::OtherMethod => false,
@@ -262,12 +276,12 @@ impl Simulation {
                 // How an error grows is of no use where none is known.
                 ReferenceKind::Disturbed => references.running.is_empty() && references.course.errors.is_empty(),
             };
-            if references.runs(kind) || known.failed >= MOST_FAILURES || is_needless {
+            if references.runs(kind) || known.has_failed || is_needless {
                 continue;
             }
-            let (per_second, allowed) = (known.per_second, self.allowed(references));
+            let per_second = known.per_second;
             let left = allowed.at_once - spent(&references.course, &references.running);
-            let to_begin = beginning(kind, references.course.beginning);
+            let to_begin = beginning(kind, references.course.beginning, touching_pairs);
             let of_rest = per_second * (self.scene.duration_s() - t).max(0.0);
             let start = references.start.take_if(|start| {
                 let needed = to_begin + per_second * (t - start.t_s);
@@ -278,22 +292,23 @@ impl Simulation {
             // What has never run begins with the run, if it can.
             let is_piece =
                 kind != ReferenceKind::Disturbed && !self.ended && (per_second > 0.0 || references.start.is_none());
-            let of_piece = to_begin.max(LEAST_COMPARISONS * per_second * (self.next_comparison() - t));
+            let of_piece = to_begin.max(LEAST_COMPARISONS * per_second * interval_s);
             if start.is_some() || (is_piece && left >= of_piece) {
-                self.begin_reference(references, kind, start.as_ref());
+                self.begin_reference(kind, start.as_ref());
             }
-            references.start = references.start.take().or(start);
+            self.references.start = self.references.start.take().or(start);
         }
     }
 
     /// Notes how far the run is from its references at the present, and what that says of its errors.
-    fn note_distances(&self, references: &mut References<Self>) {
+    fn note_distances(&mut self) {
         let (t, model) = (self.core.t, &self.core.model);
         let samples = self.tier.samples(&self.core);
         let sizes: Vec<f64> = model.bodies.iter().map(|body| body.size).collect();
-        let since_s = t - references.course.compared_s;
-        let References { running, course, .. } = references;
-        let mut growth = 1.0;
+        let is_crowded = self.core.accounts.has_crowded();
+        let References { running, course, .. } = &mut self.references;
+        let since_s = t - course.compared_s;
+        let (mut growth, mut amplified) = (1.0, Vec::new());
         for reference in running.iter_mut() {
             let others = reference.run.tier.samples(&reference.run.core);
             let own = reference.partner.as_ref().map(|partner| partner.tier.samples(&partner.core));
@@ -306,10 +321,11 @@ impl Simulation {
             known.covered_s = if reference.is_whole { way_s } else { known.covered_s + since_s.min(way_s) };
             if reference.kind == ReferenceKind::Disturbed {
                 growth = course.growth.note(t, largest);
+                amplified = distances;
                 continue;
             }
             let fade = (1.0 - since_s / (FADES_WITHIN * (t - reference.begun_s))).max(0.0);
-            let weight = self.weight(reference);
+            let weight = weight(reference, is_crowded);
             reference.since.resize(distances.len(), BodyError::default());
             for (since, distance) in reference.since.iter_mut().zip(&distances) {
                 *since = since.times(fade).max(distance.times(weight));
@@ -331,33 +347,28 @@ impl Simulation {
             (None, None) if course.errors.is_empty() => return,
             (None, None) => course.grown(growth, since_s, samples.len()),
         };
-        let local = self.core.accounts.crowded.errors();
+        // Local errors of steps under error control may add up to a part of their tolerance.
+        let controlled = self.core.accounts.certificate.max_step_error.map_or(0.0, |_| self.core.settings.tolerance);
+        let local = self.core.accounts.crowded.errors().max(PART_OF_TOLERANCE * controlled);
         let of_body = |(body, error): (usize, BodyError)| {
             let (sample, size) = (&samples[body], sizes[body]);
             let start = course.start.get(body).map_or(sample.pose.translation, |at| DVec3::from_array(*at));
             let way = (sample.pose.translation - start).length() + size;
-            let most = BodyError::new(MOST_WAYS * way, std::f64::consts::PI);
-            error.min(most).max(rounding(sample, size, t)).max(BodyError::new(local * size, 0.0))
+            let most = BodyError::new(way, std::f64::consts::PI);
+            let of_steps = BodyError::new(local * size, 0.0);
+            let rounded = amplified.get(body).map_or(BodyError::default(), |own: &BodyError| own.times(ROUNDINGS));
+            error.min(most).max(rounding(sample, size, t)).max(of_steps).max(rounded)
         };
         let errors = errors.into_iter().enumerate().map(of_body).collect();
         course.note(t, errors, &sizes);
     }
 
-    /// What the distance from a reference is multiplied by. Where time steps pass crowded events, their error is larger
-    /// than that of all else.
-    fn weight(&self, reference: &Reference<Self>) -> f64 {
-        let is_crowded = self.core.accounts.has_crowded() && reference.kind == ReferenceKind::OtherSteps;
-        if is_crowded { CROWDED_WEIGHT } else { reference.weight }
-    }
-
     /// Repeats an action of the program on the references.
     pub(crate) fn repeat_beside(&mut self, mut action: impl FnMut(&mut Self) -> Result<(), SimulationError>) {
         let t = self.core.t;
-        let mut references = std::mem::take(&mut self.references);
-        self.references.effort = references.effort;
         // One that begins later would not have taken part in it.
-        references.start = None;
-        let mut running = std::mem::take(&mut references.running);
+        self.references.start = None;
+        let mut running = std::mem::take(&mut self.references.running);
         for place in (0..running.len()).rev() {
             let reference = &mut running[place];
             let mut done = reference.bring_to(t, f64::INFINITY).and_then(|_| action(&mut reference.run));
@@ -365,11 +376,10 @@ impl Simulation {
                 done = action(partner);
             }
             if let Err(error) = done {
-                self.end_reference(&mut references, &mut running, place, Some(error));
+                self.end_reference(&mut running, place, Some(error));
             }
         }
-        references.running = running;
-        self.references = references;
+        self.references.running = running;
     }
 
     /// What a warning says where an estimated error leaves a body in no known place; none where all are known.
@@ -390,6 +400,8 @@ impl Simulation {
             partner: reference.partner.as_ref().map(|partner| partner.save_beside()),
             begun_s: reference.begun_s,
             is_whole: reference.is_whole,
+            comparisons: reference.comparisons,
+            number: reference.number,
             base: reference.base.clone(),
             since: reference.since.clone(),
         };
@@ -426,7 +438,7 @@ impl Simulation {
     /// When its content contradicts itself.
     fn restored_beside(&self, saved: &content::RunBeside, by: &ReferenceMethod) -> Result<Box<Self>, SimulationError> {
         let at_start = PlanarBodies::of_parts(saved.planar.as_ref());
-        let twin = self.twin_by(&saved.content, by.settings, (self.reference_model(by)?, at_start))?;
+        let twin = self.twin_by(&saved.content, by.settings, (self.reference_model(by)?.0, at_start))?;
         Ok(Box::new(Self { scene: self.scene.clone().with_method(by.method.clone()), ..twin }))
     }
 
@@ -441,13 +453,14 @@ impl Simulation {
         let start = saved.start.as_ref().map(|start| self.restored_start(start)).transpose()?;
         let mut references = References { start, course: saved.course.clone(), ..References::new(saved.effort) };
         for own in &saved.running {
-            let Some(by) = self.reference_method(own.kind) else { continue };
+            let by = self.reference_method(own.kind, saved.effort, own.number);
             let run = self.restored_beside(&own.run, &by)?;
             let partner = own.partner.as_ref().map(|partner| self.restored_beside(partner, &by)).transpose()?;
             let (begun_s, is_whole, base) = (own.begun_s, own.is_whole, own.base.clone());
-            let begin = ReferenceBegin { begun_s, is_whole, base, weight: by.weight };
+            let begin = ReferenceBegin { begun_s, number: own.number, is_whole, base, weight: by.weight };
             let reference = Reference::new(own.kind, run, begin);
-            references.running.push(Reference { partner, since: own.since.clone(), ..reference });
+            let (comparisons, since) = (own.comparisons, own.since.clone());
+            references.running.push(Reference { partner, comparisons, since, ..reference });
         }
         Ok(references)
     }
@@ -487,17 +500,24 @@ impl Reference<Simulation> {
     }
 }
 
+/// What the distance from a reference is multiplied by. Where time steps pass crowded events, their error is larger
+/// than that of all else.
+fn weight(reference: &Reference<Simulation>, is_crowded: bool) -> f64 {
+    if is_crowded && reference.kind == ReferenceKind::OtherSteps { CROWDED_WEIGHT } else { reference.weight }
+}
+
 /// Units of work of all references so far.
 fn spent(course: &Course, running: &[Reference<Simulation>]) -> f64 {
     (course.spent() + running.iter().map(Reference::work).sum::<u64>()) as f64
 }
 
-/// Units of work that a reference of a kind may need to begin, where the beginning of the run has taken `own`. The
-/// first step of another method solves for the contact forces at many stages.
-fn beginning(kind: ReferenceKind, own: u64) -> f64 {
-    let fixed = (work::OF_BEGINNING as f64).min(own as f64);
+/// Units of work that a reference of a kind may need to begin, where the beginning of the run has taken `own` and so
+/// many pairs touch. The first step of another method solves for their contact forces at every stage.
+fn beginning(kind: ReferenceKind, own: u64, touching_pairs: usize) -> f64 {
+    let rows = ROWS_OF_PAIR * touching_pairs;
+    let first_step = work::OF_STEP * rows * rows.min(ROWS_COUPLED_AT_ONCE) / work::ROWS_OF_UNIT;
     match kind {
-        ReferenceKind::OtherMethod => fixed + STAGES_OF_BEGINNING * (own as f64 - fixed),
+        ReferenceKind::OtherMethod => own as f64 + first_step as f64,
         ReferenceKind::OtherSteps => own as f64,
         ReferenceKind::Disturbed => 2.0 * own as f64,
     }
@@ -525,5 +545,5 @@ fn rounding(sample: &BodySample, size: f64, t: f64) -> BodyError {
     let speed = sample.velocity.linear.length();
     let turn = sample.velocity.angular.length();
     let way = sample.pose.translation.abs().max_element() + speed * t + size;
-    BodyError::new(ROUNDING * way, ROUNDING * (1.0 + turn * t))
+    BodyError::new(ROUNDING_OF_PLACES * way, ROUNDING_OF_PLACES * (1.0 + turn * t))
 }

@@ -5,9 +5,10 @@
 //! and by how much is part of the distance.
 
 use crate::error::SimulationError;
+use crate::error_estimate::effort::ErrorEstimation;
 use crate::error_estimate::references::StartOfRun;
-use crate::model::Model;
 use crate::model::plane_of_motion::PlanarBodies;
+use crate::model::{Model, ModelBody};
 use crate::report::frame::MotionKind;
 use crate::report::run_error::ReferenceKind;
 use crate::run::simulation::{Simulation, Start};
@@ -55,31 +56,33 @@ pub(super) struct ReferenceMethod {
 }
 
 impl Simulation {
-    /// By which method a reference of this kind runs; none where the run is not compared with one of this kind.
-    pub(super) fn reference_method(&self, kind: ReferenceKind) -> Option<ReferenceMethod> {
+    /// By which method a reference of this kind runs, the one that begins after so many others of its kind, in an
+    /// estimate of this effort.
+    pub(super) fn reference_method(&self, kind: ReferenceKind, effort: ErrorEstimation, begun: u32) -> ReferenceMethod {
+        let factor = effort.step_factor(begun);
         match kind {
             ReferenceKind::OtherMethod => self.other_method(),
-            ReferenceKind::OtherSteps => Some(self.other_steps()),
-            ReferenceKind::Disturbed => Some(self.cheap_method()),
+            ReferenceKind::OtherSteps => self.other_steps(factor),
+            ReferenceKind::Disturbed => self.cheap_method(factor),
         }
     }
 
     /// A cheap method, whose motion differences of rounding disturb as they disturb that of the run.
-    fn cheap_method(&self) -> ReferenceMethod {
+    fn cheap_method(&self, factor: f64) -> ReferenceMethod {
         let own = &self.core.settings;
         let tier = own.tier.facts().cheap;
         if tier == own.tier {
-            return self.other_steps();
+            return self.other_steps(factor);
         }
         let step_s = Some(own.step_s * LONGER_FIXED_STEPS);
         let method = Method { tier: Some(tier), step_s, ..Method::default() };
         let settings = Settings::resolve(&method, tier);
         let by = ReferenceMethod { settings, method, words: format!("tier {}", tier.name()), weight: 1.0 };
-        if self.reference_model(&by).is_ok() { by } else { self.other_steps() }
+        if self.reference_model(&by).is_ok() { by } else { self.other_steps(factor) }
     }
 
     /// Another tier; in one that is compared with itself, steps and tolerance as small as they may be.
-    fn other_method(&self) -> Option<ReferenceMethod> {
+    fn other_method(&self) -> ReferenceMethod {
         let (own, scene) = (&self.core.settings, self.scene.method());
         let tier = own.tier.facts().second_opinion;
         let is_fixed = own.named_integrator.is_some_and(|named| !named.controls_error());
@@ -88,7 +91,7 @@ impl Simulation {
             settings.step_s *= SHORTER_STEPS;
             settings.tolerance = (settings.tolerance * SMALLER_TOLERANCE).max(SMALLEST_TOLERANCE);
             let words = format!("tier {} at a tolerance of {:e}", tier.name(), settings.tolerance);
-            return Some(ReferenceMethod { settings, method: scene.clone(), words, weight: 1.5 });
+            return ReferenceMethod { settings, method: scene.clone(), words, weight: 1.5 };
         }
         let method = Method {
             tier: Some(tier),
@@ -100,11 +103,11 @@ impl Simulation {
             ..Method::default()
         };
         let settings = Settings::resolve(&method, tier);
-        Some(ReferenceMethod { settings, method, words: format!("tier {}", tier.name()), weight: 1.1 })
+        ReferenceMethod { settings, method, words: format!("tier {}", tier.name()), weight: 1.1 }
     }
 
-    /// Longer steps.
-    fn other_steps(&self) -> ReferenceMethod {
+    /// Longer steps: fixed ones by this factor.
+    fn other_steps(&self, factor: f64) -> ReferenceMethod {
         let mut settings = self.core.settings.as_resolved();
         let method = self.scene.method().clone();
         let is_fixed = settings.named_integrator.is_some_and(|named| !named.controls_error());
@@ -117,7 +120,6 @@ impl Simulation {
             let weight = 3.0 * before / settings.tolerance;
             return ReferenceMethod { settings, method, words, weight };
         }
-        let factor = self.references.effort.step_factor();
         settings.step_s *= factor;
         settings.step_is_given = true;
         let words = format!("steps of {} s", settings.step_s);
@@ -136,9 +138,13 @@ impl Simulation {
         disturbed_by: f64,
     ) -> Result<Self, SimulationError> {
         let scene = self.scene.clone().with_method(by.method.clone());
-        let mut model = self.reference_model(by)?;
-        let mut states = from.states.clone();
-        model.planar = PlanarBodies::default();
+        let (model, at_start) = self.reference_model(by)?;
+        let is_start = self.references.course.has_begun_at(from.t_s);
+        if at_start.is_some() && !is_start {
+            let what = format!("pivots in tier {} within a run by another tier", by.settings.tier.name());
+            return Err(SceneError::NotYetAvailable { what, instead: "joints in their place".to_owned() }.into());
+        }
+        let mut states = at_start.unwrap_or_else(|| from.states.clone());
         if disturbed_by > 0.0 {
             self.disturb(&model, (&from.rested, &mut states), disturbed_by)?;
         }
@@ -164,31 +170,29 @@ impl Simulation {
         }
     }
 
-    /// A copy of the model with another method.
+    /// The model of a reference by this method: a copy, or where its tier holds pivots otherwise one made anew, with
+    /// the states at the start of the run.
     ///
     /// # Errors
-    /// When the tier of the method does not take the scene, or holds pivots otherwise.
-    pub(super) fn reference_model(&self, by: &ReferenceMethod) -> Result<Model, SimulationError> {
-        let mut model = self.core.model.clone();
-        let is_pivoted = model.bodies.iter().any(|body| body.held.is_some());
-        let rows = by.settings.pivot_rows(self.core.effects);
-        if rows != model.pivot_rows
-            && (is_pivoted
-                || model.bodies.iter().filter_map(|body| body.rigid.as_ref()).any(|rigid| rigid.is_pivoted()))
-        {
-            let what =
-                format!("pivots in tier {} beside tier {}", by.settings.tier.name(), self.core.settings.tier.name());
-            return Err(
-                SceneError::NotYetAvailable { what, instead: "a joint in the place of the pivot".into() }.into()
-            );
-        }
-        let scene: Scene = model.scene.clone().with_method(by.method.clone());
+    /// When the tier of the method does not take the scene.
+    pub(super) fn reference_model(
+        &self,
+        by: &ReferenceMethod,
+    ) -> Result<(Model, Option<Vec<BodyState>>), SimulationError> {
+        let own = &self.core.model;
+        let scene: Scene = own.scene.clone().with_method(by.method.clone());
         if by.settings.tier != self.core.settings.tier {
             scene.check_method()?;
         }
-        model.scene = scene;
-        model.envelope = None;
-        Ok(model)
+        let mut model = own.clone();
+        (model.scene, model.envelope, model.planar) = (scene, None, PlanarBodies::default());
+        let rows = by.settings.pivot_rows(self.core.effects);
+        let is_pivoted = |body: &ModelBody| body.held.is_some() || body.rigid.is_some_and(|rigid| rigid.is_pivoted());
+        if rows == own.pivot_rows || !own.bodies.iter().any(is_pivoted) {
+            return Ok((model, None));
+        }
+        let (model, states) = Model::new(&self.scene.clone().with_method(by.method.clone()), rows)?;
+        Ok((model, Some(states)))
     }
 
     /// Changes the velocities of the bodies that do not rest by this part of them. Those that are about to begin get

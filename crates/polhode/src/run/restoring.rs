@@ -57,8 +57,8 @@ impl Simulation {
 
     /// Restores a snapshot of a simulation of the same scene, with the same effects, the same bodies added and
     /// removed, and the same joints added. The motion, samples, events and report that follow have the same bits as
-    /// those that followed the snapshot. The scene may have another duration: a run that has ended goes on to a longer
-    /// one.
+    /// those that followed the snapshot, but for the estimated error: how long references are followed depends on what
+    /// a run keeps in memory. The scene may have another duration: a run that has ended goes on to a longer one.
     ///
     /// # Errors
     /// When the snapshot is of another scene or other effects, or contradicts itself; the simulation is then as it was.

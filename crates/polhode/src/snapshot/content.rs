@@ -104,6 +104,8 @@ pub(crate) struct Reference {
     pub(crate) partner: Option<RunBeside>,
     pub(crate) begun_s: f64,
     pub(crate) is_whole: bool,
+    pub(crate) comparisons: u32,
+    pub(crate) number: u32,
     pub(crate) base: Vec<BodyError>,
     pub(crate) since: Vec<BodyError>,
 }

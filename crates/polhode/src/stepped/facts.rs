@@ -1,5 +1,6 @@
 //! What the tier `stepped` is.
 
+use crate::report::run_error::ReferenceKind;
 use crate::scene::{ContactMethod, ImpactLaw, Integrator, OverlapLimit, Promise, Tier};
 use crate::solve::cone_violation::CONE_LIMIT;
 use crate::tier::facts::{ErrorOrder, FlightRecords, IntegratorChoice, StepLength, TierFacts, TierFeature};
@@ -39,6 +40,7 @@ pub(crate) const FACTS: TierFacts = TierFacts {
     flight: FlightRecords::All,
     order: ErrorOrder::Fixed(ORDER_OF_TIME_STEPS),
     second_opinion: Tier::Accurate,
+    compared_first: ReferenceKind::OtherSteps,
     cheap: Tier::Fast,
     promise: PROMISE,
     remedy: "a shorter method.step would help, or method.tier = \"accurate\"",

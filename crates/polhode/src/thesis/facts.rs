@@ -1,5 +1,6 @@
 //! What the tier `thesis` is.
 
+use crate::report::run_error::ReferenceKind;
 use crate::scene::{ContactMethod, ImpactLaw, Integrator, OverlapLimit, Promise, Tier};
 use crate::tier::facts::{ErrorOrder, FlightRecords, IntegratorChoice, StepLength, TierFacts, TierFeature};
 
@@ -34,6 +35,7 @@ pub(crate) const FACTS: TierFacts = TierFacts {
     flight: FlightRecords::None,
     order: ErrorOrder::WithContact(ORDER_WITH_CONTACT),
     second_opinion: Tier::Accurate,
+    compared_first: ReferenceKind::OtherMethod,
     cheap: Tier::Fast,
     promise: PROMISE,
     remedy: "a shorter method.step would help, or method.tier = \"accurate\"",

@@ -3,6 +3,7 @@
 //! Each tier has one value of [`TierFacts`] in a folder of its own, and `list.rs` lists them. All other files read them
 //! and name no kind of tier: whoever adds a tier adds a folder, its line there, and its name in `scene/tiers.rs`.
 
+use crate::report::run_error::ReferenceKind;
 use crate::scene::{ContactMethod, ImpactLaw, Integrator, Promise, Response, Tier};
 
 /// Upper bound of a step under error control when none is given, s.
@@ -45,6 +46,9 @@ pub struct TierFacts {
     pub order: ErrorOrder,
     /// The tier by which a run is computed again to estimate its error.
     pub second_opinion: Tier,
+    /// With what a run is compared first: with other steps, or with another method, where the tier has errors that
+    /// shorter steps do not take away.
+    pub compared_first: ReferenceKind,
     /// The tier by which two runs tell cheaply how a motion amplifies small differences.
     pub cheap: Tier,
     /// What it promises at its default tolerance.

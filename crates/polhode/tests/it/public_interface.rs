@@ -234,6 +234,7 @@ fn runs_restored_in_crowded_stretches_have_the_same_bits() {
 }
 
 fn restored_in_stretches(scene: &Scene) {
+    let start = |scene: &Scene| start(scene).estimating(ErrorEstimation::Off);
     let mut whole = Recorder::default();
     let report = start(scene).run_observed(&mut whole).unwrap();
     assert!(report.crowded.len() > 1, "{:?}", report.crowded);

@@ -3,7 +3,7 @@
 use super::case::{Case, Company};
 use super::{
     accuracy_choice, arches, chung_ooi, convergence, convex_pairs, crowds, curved_bodies, decomposition, diamonds,
-    effects, elastic_body, exact_drift, falling_shapes, fast_tier, free_rotation, friction_effects,
+    effects, elastic_body, error_estimates, exact_drift, falling_shapes, fast_tier, free_rotation, friction_effects,
     friction_invariances, friction_scenes, frictional_impacts, frictional_statics, heaps, heavy_tops, impact_chains,
     impact_laws, impacts, impacts_every_way, invariances, joints, ledger, long_runs, mass_properties, numerical_loss,
     one_dependency, orders_in_contact, peers, pi_machine, polhode_times, published_rotations, random_scenes,
@@ -183,6 +183,7 @@ pub const ALL: &[Case] = &[
     Case { name: "structures: margins", rows: structures::margins },
     Case { name: "stability", rows: stability::rows },
     Case { name: "heaps", rows: heaps::rows },
+    Case { name: "error estimates", rows: error_estimates::rows },
     Case { name: "accuracy asked and reached", rows: accuracy_choice::rows },
     Case { name: "structures: arches", rows: structures::arches },
     Case { name: "structures: card houses", rows: structures::card_houses },

@@ -8,7 +8,7 @@
 //! |---|---|
 //! | `case` | a case, and how it gives rows whatever happens |
 //! | `context` | what every case may use |
-//! | `error_estimates` | told errors beside true ones; not in the list yet |
+//! | `error_estimates` | told errors beside true ones |
 //! | `list` | all cases, in the order in which they run |
 //! | `run` | runs of scenes, and those of the shipped ones, each made once |
 //! | `bodies` | bodies that several cases are built from |
@@ -35,7 +35,6 @@ mod decomposition;
 mod diamonds;
 mod effects;
 mod elastic_body;
-#[allow(dead_code, reason = "a case of the list once runs tell their errors as they should")]
 mod error_estimates;
 pub(crate) mod exact_drift;
 mod falling_shapes;
