@@ -320,7 +320,8 @@ impl Simulation {
             let way_s = t - reference.begun_s;
             known.covered_s = if reference.is_whole { way_s } else { known.covered_s + since_s.min(way_s) };
             if reference.kind == ReferenceKind::Disturbed {
-                growth = course.growth.note(t, largest);
+                let is_alike = reference.run.core.settings.tier == self.core.settings.tier;
+                growth = course.growth.note(t, largest, is_alike);
                 amplified = distances;
                 continue;
             }

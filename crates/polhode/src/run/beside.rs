@@ -63,6 +63,8 @@ impl Simulation {
         match kind {
             ReferenceKind::OtherMethod => self.other_method(),
             ReferenceKind::OtherSteps => self.other_steps(factor),
+            // A cheap tier tells how differences grow, but not when.
+            ReferenceKind::Disturbed if effort == ErrorEstimation::Full => self.other_steps(factor),
             ReferenceKind::Disturbed => self.cheap_method(factor),
         }
     }
