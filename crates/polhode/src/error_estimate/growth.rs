@@ -1,8 +1,8 @@
 //! How a small difference grows with the motion, and the horizon: the time at which one of rounding has grown to a
 //! hundredth of a body.
 //!
-//! Two runs by one method, a cheap one, begin with the run, and their starts differ by rounding. With `D(t)` the largest
-//! distance of the two so far, of the size of a body, a difference that was there at `s` has grown by
+//! Two runs by one method, a cheap one, begin with the run, and their starts differ by rounding. With `D(t)` the
+//! largest distance of the two so far, of the size of a body, a difference that was there at `s` has grown by
 //!
 //! `G(s, t) = D(t) / D(s)`
 //!
@@ -36,8 +36,8 @@ impl Default for Growth {
 }
 
 impl Growth {
-    /// Notes the distance of the two runs at `t` (s), whose tier is that of the run or not. By how much a difference has
-    /// grown since the last one.
+    /// Notes the distance of the two runs at `t` (s), whose tier is that of the run or not. By how much a difference
+    /// has grown since the last one.
     pub(crate) fn note(&mut self, t: f64, distance: f64, is_alike: bool) -> f64 {
         let before = self.distance;
         self.distance = before.max(distance);
