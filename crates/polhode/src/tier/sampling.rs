@@ -47,6 +47,8 @@ pub(crate) fn emit_sample(
     t: f64,
     observer: &mut dyn Observer,
 ) -> Result<(), SimulationError> {
+    // What an observer asks for is no work of the motion.
+    let work_before = core.model.work.total();
     if observer.wants_samples() || observer.wants_frames() {
         for overlap in core.overlaps_of(t, states)?.to_vec() {
             core.accounts.measures.note_sample(overlap);
@@ -62,6 +64,7 @@ pub(crate) fn emit_sample(
     if emitted && observer.wants_frames() {
         observer.frame(&frame(tier, core, t, states));
     }
+    core.model.work.count_since(work_before, 0);
     Ok(())
 }
 
@@ -82,7 +85,10 @@ pub(crate) fn emit_samples_before<T: Tier>(
         if t >= until {
             return Ok(());
         }
-        if let Some(states) = states_at(tier, core, t)? {
+        let work_before = core.model.work.total();
+        let states = states_at(tier, core, t)?;
+        core.model.work.count_since(work_before, 0);
+        if let Some(states) = states {
             emit_sample(tier, core, &states, t, observer)?;
         }
     }

@@ -14,7 +14,7 @@ use polhode::contact::Shape;
 use polhode::mesh::{Cone, Cylinder, Primitive, solid_box};
 use polhode::scene::{Material, Method};
 use polhode::spatial::{Mass, Pose, Rotation, UnitVector, Velocity};
-use polhode::{Body, BodySample, Observer, Outcome, ReportedBody, RunReport, Scene, Simulation};
+use polhode::{Body, BodySample, ErrorEstimation, Observer, Outcome, ReportedBody, RunReport, Scene, Simulation};
 use polhode_oracles::random::Random;
 use std::error::Error;
 
@@ -184,9 +184,9 @@ impl Observer for Penetration<'_> {
     }
 }
 
-/// What a run of a scene gives.
+/// What a run of a scene gives, whose error is not estimated.
 fn run(scene: &Scene, observer: &mut dyn Observer) -> Result<RunReport, Box<dyn Error>> {
-    Ok(Simulation::new(scene)?.run_observed(observer)?)
+    Ok(Simulation::new(scene)?.estimating(ErrorEstimation::Off).run_observed(observer)?)
 }
 
 /// Every shipped scene that crowds, and some random ones, with several output intervals: the last states are the same.
@@ -322,7 +322,7 @@ pub(super) fn samples(context: &Context) -> CaseResult {
     ])
 }
 
-/// The estimated error of the stretches of random scenes, against a finer run.
+/// The estimated error of random scenes with stretches, by whole runs beside them, against a finer run.
 pub(super) fn estimates(context: &Context) -> CaseResult {
     let count = context.amount.of(SCENES).max(FEWEST);
     let (mut crowded, mut held, mut worst, mut unknown) = (0_u64, 0_u64, 0.0_f64, 0_u64);
@@ -330,7 +330,7 @@ pub(super) fn estimates(context: &Context) -> CaseResult {
     while crowded < count as u64 {
         let scene = Thrown::new(number)?.scene;
         number += 1;
-        let report = run(&scene, &mut polhode::Unobserved)?;
+        let report = Simulation::new(&scene)?.estimating(ErrorEstimation::Full).run()?;
         if report.crowded.is_empty() {
             continue;
         }

@@ -7,7 +7,7 @@
 use super::run::Run;
 use super::{Amount, CaseResult, Context};
 use crate::row::Row;
-use polhode::{BodySample, Event, Flow, Observer, Outcome, Recorder, RunReport, Simulation, Snapshot};
+use polhode::{BodySample, ErrorEstimation, Event, Flow, Observer, Outcome, Recorder, RunReport, Simulation, Snapshot};
 use polhode_oracles::random::Random;
 use std::error::Error;
 use strict_hash::strict_hash;
@@ -41,7 +41,7 @@ fn differing(context: &Context, scene: &str, stops: usize, seed: u64) -> Result<
     let mut random = Random(seed);
     let mut times: Vec<f64> = (0..stops).map(|_| random.between(0.0, whole.scene.duration_s())).collect();
     times.sort_by(f64::total_cmp);
-    let mut simulation = Simulation::new(&whole.scene)?;
+    let mut simulation = Simulation::new(&whole.scene)?.estimating(ErrorEstimation::Off);
     let mut before = Until { record: Recorder::default(), stop_s: 0.0 };
     let mut wrong = Vec::new();
     for stop_s in times {
@@ -59,7 +59,7 @@ fn differing(context: &Context, scene: &str, stops: usize, seed: u64) -> Result<
 
 /// Whether another simulation goes on from the snapshot to the end of the whole run.
 fn goes_on(whole: &Run, mut record: Recorder, bytes: &[u8]) -> Result<bool, Box<dyn Error>> {
-    let mut simulation = Simulation::new(&whole.scene)?;
+    let mut simulation = Simulation::new(&whole.scene)?.estimating(ErrorEstimation::Off);
     simulation.restore(&Snapshot::from_bytes(bytes)?)?;
     let report = simulation.run_observed(&mut record)?;
     Ok(strict_hash(&record) == strict_hash(&whole.record) && text(&report) == text(&whole.report))
