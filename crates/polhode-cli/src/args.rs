@@ -125,7 +125,7 @@ pub(crate) struct RunArgs {
     /// Runs by the cheapest method whose error stays below this, as `polhode cost` finds it
     #[arg(long, value_name = "ERROR", allow_negative_numbers = true)]
     pub(crate) accuracy: Option<f64>,
-    /// Repeats the run by a method that shares no solver with it, and says how far the bodies of both are apart; exit
+    /// Repeats the run by another method, and says how far the bodies of both are apart; exit
     /// code 1 where that is more than the method of the run promises
     ///
     /// A run of tier accurate is repeated in the scene turned, mirrored and with its bodies in the opposite order, by
@@ -157,8 +157,8 @@ pub(crate) struct RunOutputArgs {
     /// Prints the report of the whole run as JSON
     #[arg(long)]
     pub(crate) json: bool,
-    /// How the error of the run is estimated: by runs beside it, which take at most three tenths of its time (quick) or
-    /// three times as much (full) [default: quick; `resume`: as before]
+    /// How the error of the run is estimated: by runs beside it, which are to take three tenths of its time at most
+    /// (quick) or three times as much (full) [default: quick; `resume`: as before]
     #[arg(long, value_name = "EFFORT", value_enum)]
     pub(crate) error: Option<ErrorArg>,
     /// Threads that compute the islands of a step (tiers stepped and fast); the bits are the same for any number

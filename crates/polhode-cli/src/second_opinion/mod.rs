@@ -1,4 +1,4 @@
-//! `polhode run --second-opinion`: a run repeated by a method that shares no solver with it, and how far the two are
+//! `polhode run --second-opinion`: a run repeated by another method, and how far the two are
 //! apart, body by body.
 //!
 //! A method that is consistently wrong agrees with itself at any step; another one does not. The whole run is repeated,

@@ -2,7 +2,7 @@
 
 use super::effort::ErrorEstimation;
 
-/// Units of work (`crate::model::work`) that references may take at once, however short the run is: a fifth of what a
+/// Units of work (`crate::model::work`) that references may take at once, however short the run is: a part of what a
 /// program takes to read a scene and start.
 const CREDIT: f64 = 800.0;
 

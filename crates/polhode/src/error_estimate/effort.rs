@@ -6,11 +6,11 @@
 pub enum ErrorEstimation {
     /// Not at all.
     Off,
-    /// By runs beside the run that add at most three tenths to its time: whole ones where they are cheap, pieces
+    /// By runs beside the run that are to add at most three tenths to its time: whole ones where they are cheap, pieces
     /// elsewhere.
     #[default]
     Quick,
-    /// By whole runs beside the run, which take at most three times its time.
+    /// By whole runs beside the run, which are to take at most three times its time.
     Full,
 }
 

@@ -5,7 +5,7 @@
 //! for any number of threads, since sums of whole numbers have no order. It is told by what is computed most often:
 //! pairs of shapes, problems of rows, bodies at the stages of integrators. No motion depends on it.
 //!
-//! How it fails: the units were fitted to runs of shipped scenes (`xtask error-cost`), and are off by a factor of up to
+//! How it fails: the units were fitted to the instructions of some shipped scenes, and are off by a factor of up to
 //! two where something else is computed most often.
 
 use std::sync::Arc;

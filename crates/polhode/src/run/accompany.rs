@@ -111,7 +111,7 @@ impl Simulation {
     fn kinds(&self, effort: ErrorEstimation) -> impl Iterator<Item = ReferenceKind> + use<> {
         let tier = self.core.settings.tier;
         let repeats = tier.facts().second_opinion == tier && effort == ErrorEstimation::Quick;
-        let is_fixed = self.core.settings.named_integrator.is_some_and(|named| !named.controls_error());
+        let is_fixed = self.core.settings.names_fixed_steps();
         // The same tier with a smaller tolerance costs more than the run.
         let is_used = move |kind: &ReferenceKind| *kind != ReferenceKind::OtherMethod || !repeats || is_fixed;
         let first = tier.facts().compared_first;
@@ -215,7 +215,10 @@ impl Simulation {
             self.repeat_with_other_steps();
             self.note_distances();
         }
-        self.begin_due();
+        // One that begins at the end has nothing to follow.
+        if !self.ended {
+            self.begin_due();
+        }
         self.references.course.next_s = self.next_comparison();
     }
 
@@ -290,8 +293,7 @@ impl Simulation {
                     && self.core.model.joints.released.is_empty()
             });
             // What has never run begins with the run, if it can.
-            let is_piece =
-                kind != ReferenceKind::Disturbed && !self.ended && (per_second > 0.0 || references.start.is_none());
+            let is_piece = kind != ReferenceKind::Disturbed && (per_second > 0.0 || references.start.is_none());
             let of_piece = to_begin.max(LEAST_COMPARISONS * per_second * interval_s);
             if start.is_some() || (is_piece && left >= of_piece) {
                 self.begin_reference(kind, start.as_ref());

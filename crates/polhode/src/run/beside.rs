@@ -87,8 +87,7 @@ impl Simulation {
     fn other_method(&self) -> ReferenceMethod {
         let (own, scene) = (&self.core.settings, self.scene.method());
         let tier = own.tier.facts().second_opinion;
-        let is_fixed = own.named_integrator.is_some_and(|named| !named.controls_error());
-        if tier == own.tier && !is_fixed {
+        if tier == own.tier && !own.names_fixed_steps() {
             let mut settings = own.as_resolved();
             settings.step_s *= SHORTER_STEPS;
             settings.tolerance = (settings.tolerance * SMALLER_TOLERANCE).max(SMALLEST_TOLERANCE);
@@ -112,8 +111,7 @@ impl Simulation {
     fn other_steps(&self, factor: f64) -> ReferenceMethod {
         let mut settings = self.core.settings.as_resolved();
         let method = self.scene.method().clone();
-        let is_fixed = settings.named_integrator.is_some_and(|named| !named.controls_error());
-        if settings.tier.facts().controls_error() && !is_fixed {
+        if settings.tier.facts().controls_error() && !settings.names_fixed_steps() {
             let before = settings.tolerance;
             settings.step_s = LONG_STEP_S.max(settings.step_s);
             settings.tolerance = LARGE_TOLERANCE.max(LARGER_TOLERANCE * before);

@@ -104,6 +104,11 @@ impl Settings {
         self.takes(TierFeature::ConstrainedRk4) && self.named_integrator == Some(Integrator::Rk4)
     }
 
+    /// Whether the scene names an integrator of fixed steps.
+    pub(crate) fn names_fixed_steps(&self) -> bool {
+        self.named_integrator.is_some_and(|named| !named.controls_error())
+    }
+
     /// Whether error control chooses the steps of all motion.
     pub(crate) fn controls_error(&self) -> bool {
         self.tier.facts().controls_error() && self.integrator.controls_error() && !self.constrains_by_rk4()
