@@ -21,12 +21,6 @@ use apart::BodyApart;
 use polhode::{BodySample, Effects, Flow, Observer, Outcome, Recorder, RunReport, Scene, Simulation};
 use proposal::Proposal;
 
-/// What a body of a run may be from its place by default where the method of the run controls its error, of its size.
-const ERROR_UNDER_CONTROL: f64 = 1e-6;
-
-/// The same of any other method.
-const ERROR_OF_STEPS: f64 = 1e-2;
-
 /// A second opinion that is asked for: what it will be compared with.
 #[derive(Debug)]
 pub(crate) struct Asked {
@@ -63,7 +57,7 @@ impl Asked {
 
     /// Repeats the run that has given this report, and compares.
     pub(crate) fn answer(self, scene: &Scene, report: &RunReport, interrupt: &Interrupt) -> Opinion {
-        let limit = limit(report);
+        let limit = report.plan.promise.error;
         let mut notes = Vec::new();
         for proposal in proposal::all(scene, report) {
             let prepared = proposal.map_err(|error| error.to_string()).and_then(|proposal| {
@@ -119,15 +113,6 @@ impl Opinion {
     fn agrees(&self) -> bool {
         self.bodies.iter().all(|body| body.of_size <= self.limit)
     }
-}
-
-/// How far bodies may be from their places: what the run promises, or a default of its method.
-fn limit(report: &RunReport) -> f64 {
-    let plan = &report.plan;
-    plan.promise.error.unwrap_or_else(|| {
-        let of_method = if proposal::is_most_accurate(plan.tier) { ERROR_UNDER_CONTROL } else { ERROR_OF_STEPS };
-        of_method.max(plan.tolerance)
-    })
 }
 
 /// Keeps the samples of the second run, shows how far it is, and stops it at Ctrl-C.

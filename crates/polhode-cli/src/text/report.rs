@@ -78,7 +78,7 @@ fn promise(promise: &Promise) -> String {
         ("residuals", promise.residual),
         ("Coulomb's law", promise.friction),
         ("loads by Newton's law", promise.loads),
-        ("estimated error", promise.error),
+        ("estimated error", Some(promise.error)),
     ];
     let others = others.into_iter().filter_map(|(what, limit)| Some(format!(", {what} {}", number(limit?))));
     format!("overlaps at most {overlap}{}", others.collect::<String>())

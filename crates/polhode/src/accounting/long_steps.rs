@@ -12,10 +12,6 @@ use polhode_dynamics::BodyState;
 /// The angle by which a body may turn in one step, rad: within it the chord is the arc to a twentieth.
 const LARGEST_TURN_OF_STEP: f64 = 1.0;
 
-/// The estimated error, relative to the size of a body, beyond which a run with steps that are too long is no answer
-/// (no unit): the body is not where it is said to be.
-const LARGEST_ERROR: f64 = 1.0;
-
 /// How far a body moved in one step.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Movement {
@@ -78,12 +74,6 @@ impl LongSteps {
         if self.worst.is_none_or(|worst| movement.excess() > worst.excess()) {
             self.worst = Some(movement);
         }
-    }
-
-    /// Whether a step was too long and the estimated error of the run, relative to the size of a body, says that it
-    /// mattered: the run is degraded then.
-    pub(crate) fn degrade(&self, estimated_error: Option<f64>) -> bool {
-        self.count > 0 && estimated_error.is_some_and(|error| error > LARGEST_ERROR)
     }
 
     /// The warning, if a step was too long.

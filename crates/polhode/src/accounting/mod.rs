@@ -37,6 +37,7 @@ use crate::report::energy::Energy;
 use crate::report::event::{Event, EventKind};
 use crate::report::ledger::Ledger;
 use crate::report::observer::Observer;
+use crate::report::run_error::RunError;
 use crate::report::run_report::{BrokenPromise, Certificate, Outcome, RunReport};
 use crate::scene::{ImpactLaw, Promise};
 use crate::solve::cone_violation::ConeViolation;
@@ -336,6 +337,11 @@ impl Accounts {
         self.next_sample as f64 * model.scene.output_interval_s()
     }
 
+    /// Events so far.
+    pub(crate) fn events(&self) -> u64 {
+        self.event_count
+    }
+
     /// Whether no sample has been sent yet.
     pub(crate) fn is_unsampled(&self) -> bool {
         self.last_sample_s.is_none()
@@ -381,9 +387,8 @@ impl Accounts {
         report.tolerated = self.tolerated.list().to_vec();
         report.choices = self.choices.list().to_vec();
         report.broken = self.measures.exceeded(model, &report.ledger, limits);
-        let error = report.error.relative();
-        report.broken.extend(self.error_beyond_promise(error, limits));
-        if self.measures.long_steps.degrade(error) || !report.broken.is_empty() {
+        report.broken.extend(self.error_beyond_promise(model, &report.error, limits));
+        if !report.broken.is_empty() {
             report.outcome = Outcome::Degraded;
         }
         report.warnings = report.broken.iter().map(BrokenPromise::to_string).collect();
@@ -397,15 +402,16 @@ impl Accounts {
 }
 
 impl Accounts {
-    /// What is wrong, where the estimated error of the run, relative to the size of a body, exceeds what the scene asks
-    /// for.
-    fn error_beyond_promise(&self, estimated: Option<f64>, limits: &Limits) -> Option<BrokenPromise> {
-        let allowed = self.promise.error?;
-        let error = estimated.filter(|error| *error > allowed)?;
+    /// What is wrong, where the estimated error of the run exceeds what is promised.
+    fn error_beyond_promise(&self, model: &Model, error: &RunError, limits: &Limits) -> Option<BrokenPromise> {
+        let (allowed, since_s, largest) = (self.promise.error, error.exceeds_s?, error.largest?);
+        let (body, relative) = (largest.body.index(), largest.relative);
+        let name = &model.bodies[body].name;
         let what = format!(
-            "the estimated error of the run is {error:.2e} of a body's size, the promised limit is {allowed:e}"
+            "the estimated error of {name} is {relative:.2e} of its size, and beyond {allowed:e}, which is promised, \
+             from t = {since_s} s on"
         );
-        Some(BrokenPromise::exceeding(what, error, allowed).cured_by(limits.remedy))
+        Some(BrokenPromise::exceeding(what, relative, allowed).at(largest.t_s).of((body, body)).cured_by(limits.remedy))
     }
 }
 

@@ -16,7 +16,7 @@ const PROMISE: Promise = Promise {
     residual: Some(1e-8),
     friction: Some(CONE_LIMIT),
     loads: None,
-    error: None,
+    error: 1e-6,
 };
 
 /// The facts.
@@ -25,6 +25,7 @@ pub(crate) const FACTS: TierFacts = TierFacts {
     summary: "Closed-form flight, error-controlled contact phases, located impacts and force events.",
     steps: StepLength::ErrorControlled,
     step_s: LONGEST_STEP_S,
+    substeps: 1,
     integrator: Integrator::Exact,
     integrator_choice: IntegratorChoice::Plan,
     impact: ImpactLaw::Reflection,
@@ -34,7 +35,6 @@ pub(crate) const FACTS: TierFacts = TierFacts {
     order: ErrorOrder::OfIntegrator,
     second_opinion: Tier::Accurate,
     compared_first: ReferenceKind::OtherSteps,
-    cheap: Tier::Accurate,
     promise: PROMISE,
     remedy: "from there on the motion is not to be trusted; a smaller method.tolerance may help",
     features: &[

@@ -34,6 +34,49 @@ struct Largest {
     t_s: f64,
 }
 
+/// What pieces by another method say of the errors of the bodies.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub(crate) struct Pieces {
+    /// The errors at the last comparison; empty before the first piece.
+    pub(crate) errors: Vec<BodyError>,
+    /// What contact has added to them in the time that was covered, per second.
+    rates: Vec<BodyError>,
+    /// Events of the run at the last comparison.
+    pub(crate) events: u64,
+    /// Whether bodies have met or touched since the comparison before.
+    pub(crate) had_contact: bool,
+}
+
+impl Pieces {
+    /// Notes the end of a piece, which has found these errors, so much of them since it began; `length_s` seconds of
+    /// `covered_s` were its own.
+    pub(crate) fn note_end(&mut self, errors: Vec<BodyError>, since: &[BodyError], (length_s, covered_s): (f64, f64)) {
+        self.errors = errors;
+        if length_s <= 0.0 {
+            return;
+        }
+        self.rates.resize(since.len(), BodyError::default());
+        let before_s = (covered_s - length_s).max(0.0);
+        for (rate, since) in self.rates.iter_mut().zip(since) {
+            *rate = rate.times(before_s).plus(*since).times(1.0 / (before_s + length_s));
+        }
+    }
+
+    /// The errors of so many bodies a time (s) after the last comparison, over which no piece has run: the motion has
+    /// amplified them by `growth`, and where there was contact it has added as much as in the pieces. None before the
+    /// first one.
+    pub(crate) fn grown(&self, growth: f64, since_s: f64, bodies: usize) -> Option<Vec<BodyError>> {
+        let in_contact_s = if self.had_contact { since_s } else { 0.0 };
+        (!self.errors.is_empty()).then(|| grown((&self.errors, growth), (&self.rates, in_contact_s), bodies))
+    }
+}
+
+/// So many errors, amplified, and what was added to them at these rates (per second) in a time (s).
+fn grown((errors, growth): (&[BodyError], f64), (rates, time_s): (&[BodyError], f64), bodies: usize) -> Vec<BodyError> {
+    let of = |list: &[BodyError], body: usize| list.get(body).copied().unwrap_or_default();
+    (0..bodies).map(|body| of(errors, body).times(growth).plus(of(rates, body).times(time_s))).collect()
+}
+
 /// The error of a run so far.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub(crate) struct Course {
@@ -51,7 +94,10 @@ pub(crate) struct Course {
     /// Errors of the bodies at the last comparison, and how fast they grew in the last piece, per second.
     pub(crate) errors: Vec<BodyError>,
     pub(crate) rates: Vec<BodyError>,
+    pub(crate) pieces: Pieces,
     largest: Option<Largest>,
+    /// When an error first exceeded what is promised, s.
+    pub(crate) exceeds_s: Option<f64>,
     /// By the number of the kind.
     kinds: [OfKind; ReferenceKind::ALL.len()],
     pub(crate) growth: Growth,
@@ -81,18 +127,20 @@ impl Course {
     /// The errors of so many bodies a time (s) after the last comparison, over which no reference has run: the motion
     /// has amplified them by `growth`.
     pub(crate) fn grown(&self, growth: f64, since_s: f64, bodies: usize) -> Vec<BodyError> {
-        let of = |list: &[BodyError], body: usize| list.get(body).copied().unwrap_or_default();
-        let grown = |body| of(&self.errors, body).times(growth).plus(of(&self.rates, body).times(since_s));
-        (0..bodies).map(grown).collect()
+        grown((&self.errors, growth), (&self.rates, since_s), bodies)
     }
 
-    /// The errors of the bodies at `t` (s), of bodies of these sizes (m).
-    pub(crate) fn note(&mut self, t: f64, errors: Vec<BodyError>, sizes: &[f64]) {
+    /// The errors of the bodies at `t` (s), of bodies of these sizes (m), of which so much is promised, relative to
+    /// their sizes.
+    pub(crate) fn note(&mut self, t: f64, errors: Vec<BodyError>, sizes: &[f64], promised: f64) {
         if self.growth.horizon_s.is_none_or(|horizon| t < horizon) {
             for (body, (error, &size)) in errors.iter().zip(sizes).enumerate() {
                 let relative = error.of_size(size);
                 if self.largest.is_none_or(|largest| relative > largest.relative) {
                     self.largest = Some(Largest { relative, error: *error, body, t_s: t });
+                }
+                if relative > promised {
+                    self.exceeds_s = self.exceeds_s.or(Some(t));
                 }
             }
         }

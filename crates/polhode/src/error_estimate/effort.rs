@@ -46,8 +46,8 @@ impl ErrorEstimation {
     pub(crate) const fn step_factor(self, begun: u32) -> f64 {
         match (self, begun) {
             (Self::Full, _) => 2.0,
-            (_, 1) => 15.0,
-            _ => 6.0,
+            (_, 1) => 20.0,
+            _ => 10.0,
         }
     }
 }

@@ -1,13 +1,13 @@
 //! How a small difference grows with the motion, and the horizon: the time at which one of rounding has grown to a
 //! hundredth of a body.
 //!
-//! Two runs by one method, a cheap one, begin with the run, and their starts differ by rounding. With `D(t)` the
+//! Two runs by one method, that of the run with longer steps, begin with it, and their starts differ by rounding. With `D(t)` the
 //! largest distance of the two so far, of the size of a body, a difference that was there at `s` has grown by
 //!
 //! `G(s, t) = D(t) / D(s)`
 //!
-//! and the horizon is the first time at which `D` is a hundredth, where the two runs are by the tier of the run. Those
-//! by another tier tell how much differences grow, but contacts that it makes otherwise make them grow at other times.
+//! and the horizon is the first time at which `D` is a hundredth. Runs by another tier would make contacts at other
+//! times, and differences grow at those.
 //!
 //! How it fails: a difference of rounding may hit an event that another one misses, so that horizons of several starts
 //! differ; where the two runs end, growth is not known from there on.
@@ -36,12 +36,11 @@ impl Default for Growth {
 }
 
 impl Growth {
-    /// Notes the distance of the two runs at `t` (s), whose tier is that of the run or not. By how much a difference
-    /// has grown since the last one.
-    pub(crate) fn note(&mut self, t: f64, distance: f64, is_alike: bool) -> f64 {
+    /// Notes the distance of the two runs at `t` (s). By how much a difference has grown since the last one.
+    pub(crate) fn note(&mut self, t: f64, distance: f64) -> f64 {
         let before = self.distance;
         self.distance = before.max(distance);
-        if is_alike && distance >= HORIZON && self.horizon_s.is_none() {
+        if distance >= HORIZON && self.horizon_s.is_none() {
             self.horizon_s = Some(t);
         }
         self.distance / before

@@ -10,7 +10,7 @@ use polhode_dynamics::BodyState;
 pub(crate) struct Reference<S> {
     pub(crate) kind: ReferenceKind,
     pub(crate) run: Box<S>,
-    /// The run with which a disturbed one is compared in the place of the run.
+    /// The run with which a disturbed one is compared; none where that is the one by other steps.
     pub(crate) partner: Option<Box<S>>,
     /// When it began, s.
     pub(crate) begun_s: f64,
@@ -39,6 +39,17 @@ pub(crate) struct ReferenceBegin {
 }
 
 impl<S> Reference<S> {
+    /// Whether it is a piece by another method.
+    pub(crate) fn is_piece_by_method(&self) -> bool {
+        self.kind == ReferenceKind::OtherMethod && !self.is_whole
+    }
+
+    /// The errors of the bodies of the run that it says.
+    pub(crate) fn errors(&self) -> Vec<BodyError> {
+        let base = |body: usize| self.base.get(body).copied().unwrap_or_default();
+        self.since.iter().enumerate().map(|(body, since)| base(body).plus(*since)).collect()
+    }
+
     /// A reference that begins.
     pub(crate) fn new(kind: ReferenceKind, run: Box<S>, begin: ReferenceBegin) -> Self {
         let ReferenceBegin { begun_s, number, is_whole, base, weight } = begin;
@@ -46,7 +57,16 @@ impl<S> Reference<S> {
     }
 }
 
-/// Where references that begin with the run begin.
+/// How much of a run a reference accompanies.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Part {
+    /// All of it, from its start.
+    Whole,
+    /// A piece.
+    Piece,
+}
+
+/// Where references begin.
 #[derive(Debug, Clone)]
 pub(crate) struct StartOfRun {
     /// When, s.
@@ -62,6 +82,8 @@ pub(crate) struct References<S> {
     pub(crate) effort: ErrorEstimation,
     /// The start of the run; none before it, and after an action of a program, which later runs would not repeat.
     pub(crate) start: Option<StartOfRun>,
+    /// The run at the last comparison; none before it, and after an action.
+    pub(crate) before: Option<StartOfRun>,
     pub(crate) running: Vec<Reference<S>>,
     pub(crate) course: Course,
 }
@@ -69,7 +91,12 @@ pub(crate) struct References<S> {
 impl<S> References<S> {
     /// None yet, for an estimate of this effort.
     pub(crate) fn new(effort: ErrorEstimation) -> Self {
-        Self { effort, start: None, running: Vec::new(), course: Course::default() }
+        Self { effort, start: None, before: None, running: Vec::new(), course: Course::default() }
+    }
+
+    /// The whole reference by other steps.
+    pub(crate) fn by_steps(&self) -> Option<&Reference<S>> {
+        self.running.iter().find(|own| own.kind == ReferenceKind::OtherSteps && own.is_whole)
     }
 
     /// Whether a reference of this kind runs.

@@ -1,7 +1,6 @@
 //! A run in real time: steps, what is booked of them, and queries at the present.
 
 use super::course::Course;
-use super::facts::SUBSTEPS;
 use super::held::{HeldJoint, HeldLimit};
 use super::impacts::impacts;
 use super::rest::settle;
@@ -89,7 +88,7 @@ impl FastEngine {
 
     fn rules(core: &Core, step_s: f64) -> Rules {
         let settings = &core.settings;
-        let rules = Rules::new(step_s, settings.step_s, settings.substeps.unwrap_or(SUBSTEPS), &core.model);
+        let rules = Rules::new(step_s, settings.step_s, settings.substeps, &core.model);
         rules.by(settings.contact).after(core.accounts.steps())
     }
 

@@ -8,7 +8,7 @@ use crate::tier::facts::{ErrorOrder, FlightRecords, IntegratorChoice, StepLength
 const PICTURE_STEP_S: f64 = 1.0 / 60.0;
 
 /// Substeps of a step when none are given.
-pub(super) const SUBSTEPS: u32 = 4;
+const SUBSTEPS: u32 = 4;
 
 /// Order in the step where bodies may collide.
 const ORDER_OF_SUBSTEPS: u32 = 1;
@@ -22,7 +22,7 @@ const PROMISE: Promise = Promise {
     residual: None,
     friction: None,
     loads: None,
-    error: None,
+    error: 1e-2,
 };
 
 /// The facts.
@@ -31,6 +31,7 @@ pub(crate) const FACTS: TierFacts = TierFacts {
     summary: "Real time: substeps of soft contacts by sequential impulses, contacts side by side in lanes.",
     steps: StepLength::Fixed,
     step_s: PICTURE_STEP_S,
+    substeps: SUBSTEPS,
     integrator: Integrator::Splitting,
     integrator_choice: IntegratorChoice::Tier {
         reason: "the tier has its own: velocities first, then poses, rotation by its middle",
@@ -43,7 +44,6 @@ pub(crate) const FACTS: TierFacts = TierFacts {
     order: ErrorOrder::WithContact(ORDER_OF_SUBSTEPS),
     second_opinion: Tier::Accurate,
     compared_first: ReferenceKind::OtherMethod,
-    cheap: Tier::Fast,
     promise: PROMISE,
     remedy: "a shorter method.step or more method.substeps would help, or method.tier = \"stepped\"",
     features: &[TierFeature::Friction, TierFeature::Joints, TierFeature::SequentialImpulses],

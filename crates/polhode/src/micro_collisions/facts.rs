@@ -19,7 +19,7 @@ const PROMISE: Promise = Promise {
     residual: Some(1e-8),
     friction: None,
     loads: None,
-    error: None,
+    error: 1e-2,
 };
 
 /// The facts.
@@ -28,6 +28,7 @@ pub(crate) const FACTS: TierFacts = TierFacts {
     summary: "Impulses alone, after Mirtich: bodies at rest are held by many small collisions.",
     steps: StepLength::Fixed,
     step_s: STEP_S,
+    substeps: 1,
     integrator: Integrator::Rk4,
     integrator_choice: IntegratorChoice::Scene { reason: "exact for a parabola, between two collisions" },
     // One after the other, as Mirtich strikes them, collisions at several corners lose energy to each other, which the
@@ -39,7 +40,6 @@ pub(crate) const FACTS: TierFacts = TierFacts {
     order: ErrorOrder::WithContact(ORDER_WITH_CONTACT),
     second_opinion: Tier::Accurate,
     compared_first: ReferenceKind::OtherMethod,
-    cheap: Tier::Fast,
     promise: PROMISE,
     remedy: "a shorter method.step would help, or method.tier = \"accurate\"",
     features: &[TierFeature::Friction],

@@ -15,7 +15,7 @@ const PROMISE: Promise = Promise {
     residual: None,
     friction: None,
     loads: None,
-    error: None,
+    error: 1e-2,
 };
 
 /// The facts.
@@ -24,6 +24,7 @@ pub(crate) const FACTS: TierFacts = TierFacts {
     summary: "Springs and dampers where bodies overlap: nothing is solved for, and bodies interpenetrate.",
     steps: StepLength::ErrorControlled,
     step_s: LONGEST_STEP_S,
+    substeps: 1,
     integrator: Integrator::Dop853,
     integrator_choice: IntegratorChoice::Scene {
         reason: "under error control, with the begin and end of contacts located",
@@ -35,7 +36,6 @@ pub(crate) const FACTS: TierFacts = TierFacts {
     order: ErrorOrder::OfIntegrator,
     second_opinion: Tier::Penalty,
     compared_first: ReferenceKind::OtherSteps,
-    cheap: Tier::Penalty,
     promise: PROMISE,
     remedy: "a smaller method.penalty.penetration_m would help, or method.tier = \"accurate\"",
     features: &[TierFeature::Friction, TierFeature::Joints, TierFeature::SurfaceEffects],

@@ -115,6 +115,8 @@ pub struct RunError {
     pub estimation: ErrorEstimation,
     /// The largest error of any body at any comparison before the horizon; none where nothing was compared.
     pub largest: Option<LargestError>,
+    /// When an error first exceeded what the run promises, s; none where none did before the horizon.
+    pub exceeds_s: Option<f64>,
     /// The errors at the end, by [`BodyId::index`]; empty where nothing was compared.
     pub bodies: Vec<BodyError>,
     /// When a difference of rounding at the start has grown to a hundredth of a body, s: what lies after it is one of

@@ -11,7 +11,7 @@ use crate::error_estimate::budget::{Allowed, LEAST_COMPARISONS, allowed};
 use crate::error_estimate::course::Course;
 use crate::error_estimate::effort::ErrorEstimation;
 use crate::error_estimate::growth::ROUNDING_OF_START;
-use crate::error_estimate::references::{Reference, ReferenceBegin, References, StartOfRun};
+use crate::error_estimate::references::{Part, Reference, ReferenceBegin, References, StartOfRun};
 use crate::model::plane_of_motion::PlanarBodies;
 use crate::model::work;
 use crate::report::observer::{BodySample, Unobserved};
@@ -23,7 +23,7 @@ use crate::snapshot::{SnapshotError, content};
 use polhode_spatial::DVec3;
 
 /// Comparisons of a run under error control.
-const COMPARISONS: f64 = 200.0;
+const COMPARISONS: f64 = 100.0;
 
 /// Comparisons after which it is foreseen what a whole reference will cost.
 const COMPARISONS_TO_FORESEE: u32 = 4;
@@ -36,10 +36,6 @@ const ROWS_COUPLED_AT_ONCE: usize = 400;
 
 /// Distances of the past fade within this part of the time that a reference has run (no unit, 0.05 to 0.5).
 const FADES_WITHIN: f64 = 0.2;
-
-/// The estimated error, of the size of a body, beyond which a warning says that its place is not known (no unit, 0.01
-/// to 1).
-const PLACE_UNKNOWN: f64 = 0.1;
 
 /// The error of time steps in crowded events, in distances from a run with steps twice as long (no unit, 1 to 3).
 const CROWDED_WEIGHT: f64 = 2.0;
@@ -84,6 +80,7 @@ impl Simulation {
         RunError {
             estimation: effort,
             largest: course.largest(),
+            exceeds_s: course.exceeds_s,
             bodies,
             horizon_s: course.growth.horizon_s,
             references: course.references(self.core.work, work),
@@ -104,11 +101,12 @@ impl Simulation {
         course.start = self.tier.samples(&self.core).iter().map(place_of).collect();
         self.references.start = Some(start);
         self.begin_due();
-        self.references.course.next_s = self.next_comparison();
+        // The first step shows what the start has to settle.
+        self.references.course.next_s = self.core.t;
     }
 
     /// The kinds of references of an effort.
-    fn kinds(&self, effort: ErrorEstimation) -> impl Iterator<Item = ReferenceKind> + use<> {
+    pub(super) fn kinds(&self, effort: ErrorEstimation) -> impl Iterator<Item = ReferenceKind> + use<> {
         let tier = self.core.settings.tier;
         let repeats = tier.facts().second_opinion == tier && effort == ErrorEstimation::Quick;
         let is_fixed = self.core.settings.names_fixed_steps();
@@ -126,33 +124,38 @@ impl Simulation {
             return t + (self.scene.duration_s() / COMPARISONS).max(settings.step_s);
         }
         // The ends of the longer steps of a reference are ends of steps of the run.
-        let long_step_s = settings.step_s * self.references.effort.step_factor(0);
+        let long_step_s = self.reference_method(ReferenceKind::OtherSteps, self.references.effort, 0).settings.step_s;
         let several = (self.scene.duration_s() / (COMPARISONS * long_step_s)).floor().max(1.0);
         let interval_s = long_step_s * several;
         ((t / interval_s).floor() + 1.0) * interval_s
     }
 
-    /// Begins a reference of a kind: with the run, if it can, else within it.
-    fn begin_reference(&mut self, kind: ReferenceKind, start: Option<&StartOfRun>) {
-        let number = self.references.course.of(kind).begun;
+    /// Begins a reference of a kind there. A piece goes on from the errors that are known then.
+    pub(super) fn begin_reference(&mut self, kind: ReferenceKind, from: &StartOfRun, part: Part) {
+        let shared = self.references.by_steps().filter(|own| kind == ReferenceKind::Disturbed && own.begun_s == from.t_s);
+        // A disturbed run is compared with the one by other steps, and has its steps.
+        let number = shared.map_or(self.references.course.of(kind).begun, |own| own.number);
+        let is_shared = shared.is_some();
         let by = self.reference_method(kind, self.references.effort, number);
-        let present = self.start_at_present();
-        let from = start.unwrap_or(&present);
-        let begun = if kind == ReferenceKind::Disturbed {
-            let both =
-                self.beside(&by, from, ROUNDING_OF_START).and_then(|run| Ok((run, self.beside(&by, from, 0.0)?)));
-            both.map(|(run, partner)| (run, Some(Box::new(partner))))
-        } else {
-            self.beside(&by, from, 0.0).map(|run| (run, None))
+        let disturbed_by = if kind == ReferenceKind::Disturbed { ROUNDING_OF_START } else { 0.0 };
+        let needs_partner = kind == ReferenceKind::Disturbed && !is_shared;
+        let begun = self.beside(&by, from, disturbed_by).and_then(|run| {
+            let partner = needs_partner.then(|| self.beside(&by, from, 0.0)).transpose()?;
+            Ok((run, partner.map(Box::new)))
+        });
+        let course = &self.references.course;
+        let base = match part {
+            Part::Whole => Vec::new(),
+            Part::Piece if kind == ReferenceKind::OtherMethod => course.pieces.errors.clone(),
+            Part::Piece => course.errors.clone(),
         };
-        let base = if start.is_some() { Vec::new() } else { self.references.course.errors.clone() };
         let own = self.references.course.of_mut(kind);
         match begun {
             Ok((run, partner)) => {
                 own.begun += 1;
                 own.method = by.words;
                 own.ended = None;
-                let (begun_s, is_whole, weight) = (from.t_s, start.is_some(), by.weight);
+                let (begun_s, is_whole, weight) = (from.t_s, part == Part::Whole, by.weight);
                 let begin = ReferenceBegin { begun_s, number, is_whole, base, weight };
                 self.references.running.push(Reference { partner, ..Reference::new(kind, Box::new(run), begin) });
             }
@@ -176,6 +179,7 @@ impl Simulation {
 
     /// Brings the references to the present of the run, and compares it with them.
     fn compare(&mut self) {
+        self.begin_piece();
         let t = self.core.t;
         let mut running = std::mem::take(&mut self.references.running);
         let (now, first) = (self.allowed(), self.core.settings.tier.facts().compared_first);
@@ -196,25 +200,27 @@ impl Simulation {
             match reached {
                 // A whole one that cannot be paid for to the end leaves what is left to others.
                 Ok(true) if is_foreseen && of_rest > now.of_rest + now.at_once - reference.work() as f64 => {
-                    self.end_reference(&mut running, place, None);
+                    self.end_reference(&mut running, place, Ending::TooCostly);
                 }
                 Ok(true) => {}
-                Ok(false) => self.end_reference(&mut running, place, None),
-                Err(error) => self.end_reference(&mut running, place, Some(error)),
+                Ok(false) => self.end_reference(&mut running, place, Ending::TooCostly),
+                Err(error) => self.end_reference(&mut running, place, Ending::Failed(error)),
             }
         }
         while spent(&self.references.course, &running) > now.ahead {
             let rate = |own: &Reference<Self>| own.work() as f64 / (t - own.begun_s);
             let others = running.iter().enumerate().filter(|(_, own)| own.kind != first);
             let Some((place, _)) = others.max_by(|a, b| rate(a.1).total_cmp(&rate(b.1))) else { break };
-            self.end_reference(&mut running, place, None);
+            self.end_reference(&mut running, place, Ending::TooCostly);
         }
+        self.end_without_partner(&mut running);
         self.references.running = running;
         self.note_distances();
         if self.ended && self.references.course.errors.is_empty() {
             self.repeat_with_other_steps();
             self.note_distances();
         }
+        self.end_pieces();
         // One that begins at the end has nothing to follow.
         if !self.ended {
             self.begin_due();
@@ -222,22 +228,41 @@ impl Simulation {
         self.references.course.next_s = self.next_comparison();
     }
 
-    /// Ends the reference at this place, because of an error or of what it costs.
-    fn end_reference(&mut self, running: &mut Vec<Reference<Self>>, place: usize, error: Option<SimulationError>) {
+    /// Ends the reference at this place.
+    pub(super) fn end_reference(&mut self, running: &mut Vec<Reference<Self>>, place: usize, ending: Ending) {
         let reference = running.remove(place);
         let course = &mut self.references.course;
         let length_s = course.compared_s - reference.begun_s;
-        if length_s > 0.0 && reference.kind != ReferenceKind::Disturbed {
-            course.rates = reference.since.iter().map(|since| since.times(1.0 / length_s)).collect();
+        match reference.kind {
+            ReferenceKind::OtherSteps if length_s > 0.0 => {
+                course.rates = reference.since.iter().map(|since| since.times(1.0 / length_s)).collect();
+            }
+            ReferenceKind::OtherMethod => {
+                let covered_s = course.of(reference.kind).covered_s;
+                course.pieces.note_end(reference.errors(), &reference.since, (length_s, covered_s));
+            }
+            _ => {}
         }
         let own = course.of_mut(reference.kind);
         own.spent += reference.work();
-        match error {
-            Some(error) => {
+        own.ended = match ending {
+            Ending::Failed(error) => {
                 own.has_failed = true;
-                own.ended = Some(error.to_string());
+                Some(error.to_string())
             }
-            None => own.ended = Some("it costs more than the estimate may".to_owned()),
+            Ending::TooCostly => Some("it costs more than the estimate may".to_owned()),
+            Ending::Apart => Some("it accompanies contacts only".to_owned()),
+        };
+    }
+
+    /// Ends a disturbed run whose partner, the one by other steps, has ended.
+    fn end_without_partner(&mut self, running: &mut Vec<Reference<Self>>) {
+        if running.iter().any(|own| own.kind == ReferenceKind::OtherSteps && own.is_whole) {
+            return;
+        }
+        let is_alone = |own: &Reference<Self>| own.kind == ReferenceKind::Disturbed && own.partner.is_none();
+        if let Some(place) = running.iter().position(is_alone) {
+            self.end_reference(running, place, Ending::TooCostly);
         }
     }
 
@@ -245,17 +270,17 @@ impl Simulation {
     /// than the estimate may is better than none.
     fn repeat_with_other_steps(&mut self) {
         let Some(start) = self.references.start.take() else { return };
-        self.begin_reference(ReferenceKind::OtherSteps, Some(&start));
+        self.begin_reference(ReferenceKind::OtherSteps, &start, Part::Whole);
         let mut running = std::mem::take(&mut self.references.running);
         if let Some(Err(error)) = running.last_mut().map(|own| own.bring_to(self.core.t, f64::INFINITY)) {
             let last = running.len() - 1;
-            self.end_reference(&mut running, last, Some(error));
+            self.end_reference(&mut running, last, Ending::Failed(error));
         }
         self.references.running = running;
     }
 
     /// What references may have taken by now.
-    fn allowed(&self) -> Allowed {
+    pub(super) fn allowed(&self) -> Allowed {
         let begun_s = self.references.course.start_s;
         allowed(self.references.effort, self.core.work, (self.core.t - begun_s) / (self.scene.duration_s() - begun_s))
     }
@@ -276,15 +301,21 @@ impl Simulation {
                     let is_best = |own: &Reference<Self>| own.kind == ReferenceKind::OtherMethod && own.is_whole;
                     references.effort == ErrorEstimation::Quick && references.running.iter().any(is_best)
                 }
-                // How an error grows is of no use where none is known.
-                ReferenceKind::Disturbed => references.running.is_empty() && references.course.errors.is_empty(),
+                // How an error grows is of no use where none is known, and what it costs is known by other steps.
+                ReferenceKind::Disturbed => match references.by_steps() {
+                    Some(steps) => steps.comparisons < COMPARISONS_TO_FORESEE,
+                    None => references.running.is_empty() && references.course.errors.is_empty(),
+                },
             };
             if references.runs(kind) || known.has_failed || is_needless {
                 continue;
             }
-            let per_second = known.per_second;
+            let is_shared = kind == ReferenceKind::Disturbed && references.by_steps().is_some();
+            let like = if is_shared { references.course.of(ReferenceKind::OtherSteps) } else { known };
+            let per_second = known.per_second.max(like.per_second);
             let left = allowed.at_once - spent(&references.course, &references.running);
-            let to_begin = beginning(kind, references.course.beginning, touching_pairs);
+            let runs = if kind == ReferenceKind::Disturbed && !is_shared { 2.0 } else { 1.0 };
+            let to_begin = runs * beginning(kind, references.course.beginning, touching_pairs);
             let of_rest = per_second * (self.scene.duration_s() - t).max(0.0);
             let start = references.start.take_if(|start| {
                 let needed = to_begin + per_second * (t - start.t_s);
@@ -292,11 +323,13 @@ impl Simulation {
                     && of_rest <= allowed.of_rest + left - needed
                     && self.core.model.joints.released.is_empty()
             });
-            // What has never run begins with the run, if it can.
-            let is_piece = kind != ReferenceKind::Disturbed && (per_second > 0.0 || references.start.is_none());
+            // What has never run begins with the run, if it can. Pieces by another method begin elsewhere.
+            let is_piece = kind == ReferenceKind::OtherSteps && (per_second > 0.0 || references.start.is_none());
             let of_piece = to_begin.max(LEAST_COMPARISONS * per_second * interval_s);
-            if start.is_some() || (is_piece && left >= of_piece) {
-                self.begin_reference(kind, start.as_ref());
+            if let Some(start) = &start {
+                self.begin_reference(kind, start, Part::Whole);
+            } else if is_piece && left >= of_piece {
+                self.begin_reference(kind, &self.start_at_present(), Part::Piece);
             }
             self.references.start = self.references.start.take().or(start);
         }
@@ -311,10 +344,15 @@ impl Simulation {
         let References { running, course, .. } = &mut self.references;
         let since_s = t - course.compared_s;
         let (mut growth, mut amplified) = (1.0, Vec::new());
+        let of_run = |run: &Self| run.tier.samples(&run.core);
+        let by_steps = running.iter().find(|own| own.kind == ReferenceKind::OtherSteps).map(|own| of_run(&own.run));
         for reference in running.iter_mut() {
-            let others = reference.run.tier.samples(&reference.run.core);
-            let own = reference.partner.as_ref().map(|partner| partner.tier.samples(&partner.core));
-            let own = own.as_ref().unwrap_or(&samples);
+            let others = of_run(&reference.run);
+            let partner = reference.partner.as_ref().map(|partner| of_run(partner));
+            let own = match reference.kind {
+                ReferenceKind::Disturbed => partner.as_ref().or(by_steps.as_ref()).unwrap_or(&others),
+                _ => &samples,
+            };
             let distances: Vec<BodyError> = own.iter().zip(&others).map(|(a, b)| distance(a, b)).collect();
             let largest = distances.iter().zip(&sizes).map(|(own, &size)| own.of_size(size)).fold(0.0, f64::max);
             let known = course.of_mut(reference.kind);
@@ -322,8 +360,7 @@ impl Simulation {
             let way_s = t - reference.begun_s;
             known.covered_s = if reference.is_whole { way_s } else { known.covered_s + since_s.min(way_s) };
             if reference.kind == ReferenceKind::Disturbed {
-                let is_alike = reference.run.core.settings.tier == self.core.settings.tier;
-                growth = course.growth.note(t, largest, is_alike);
+                growth = course.growth.note(t, largest);
                 amplified = distances;
                 continue;
             }
@@ -334,22 +371,22 @@ impl Simulation {
                 *since = since.times(fade).max(distance.times(weight));
             }
         }
-        let (mut whole, mut pieces) = (None::<Vec<BodyError>>, None::<Vec<BodyError>>);
-        for reference in running.iter_mut().filter(|own| own.kind != ReferenceKind::Disturbed) {
+        for reference in running.iter_mut() {
             reference.base.iter_mut().for_each(|base| *base = base.times(growth));
-            // A whole run by another method, which comes first, is better than any by other steps.
-            if !reference.is_whole {
-                pieces = Some(larger(pieces, reference.errors()));
-            } else if whole.is_none() {
-                whole = Some(reference.errors());
-            }
         }
-        let errors = match (whole, pieces) {
-            (Some(whole), Some(pieces)) => larger(Some(whole), pieces),
-            (Some(errors), None) | (None, Some(errors)) => errors,
-            (None, None) if course.errors.is_empty() => return,
-            (None, None) => course.grown(growth, since_s, samples.len()),
+        let of_kind = |kind| running.iter().find(|own| own.kind == kind);
+        let by_method = of_kind(ReferenceKind::OtherMethod).filter(|own| own.is_whole);
+        let by_steps = of_kind(ReferenceKind::OtherSteps);
+        let piece = running.iter().find(|own| own.is_piece_by_method()).map(Reference::errors);
+        let by_pieces = piece.or_else(|| course.pieces.grown(growth, since_s, samples.len()));
+        // A whole run by another method is better than any by other steps.
+        let errors = match (by_method, by_steps) {
+            (Some(whole), _) => whole.errors(),
+            (None, Some(steps)) => larger(by_pieces.as_ref(), steps.errors()),
+            (None, None) if course.errors.is_empty() && by_pieces.is_none() => return,
+            (None, None) => larger(by_pieces.as_ref(), course.grown(growth, since_s, samples.len())),
         };
+        course.pieces.errors = by_pieces.unwrap_or_default();
         // Local errors of steps under error control may add up to a part of their tolerance.
         let controlled = self.core.accounts.certificate.max_step_error.map_or(0.0, |_| self.core.settings.tolerance);
         let local = self.core.accounts.crowded.errors().max(PART_OF_TOLERANCE * controlled);
@@ -363,14 +400,14 @@ impl Simulation {
             error.min(most).max(rounding(sample, size, t)).max(of_steps).max(rounded)
         };
         let errors = errors.into_iter().enumerate().map(of_body).collect();
-        course.note(t, errors, &sizes);
+        course.note(t, errors, &sizes, self.core.settings.promise.error);
     }
 
     /// Repeats an action of the program on the references.
     pub(crate) fn repeat_beside(&mut self, mut action: impl FnMut(&mut Self) -> Result<(), SimulationError>) {
         let t = self.core.t;
         // One that begins later would not have taken part in it.
-        self.references.start = None;
+        (self.references.start, self.references.before) = (None, None);
         let mut running = std::mem::take(&mut self.references.running);
         for place in (0..running.len()).rev() {
             let reference = &mut running[place];
@@ -379,20 +416,11 @@ impl Simulation {
                 done = action(partner);
             }
             if let Err(error) = done {
-                self.end_reference(&mut running, place, Some(error));
+                self.end_reference(&mut running, place, Ending::Failed(error));
             }
         }
+        self.end_without_partner(&mut running);
         self.references.running = running;
-    }
-
-    /// What a warning says where an estimated error leaves a body in no known place; none where all are known.
-    pub(super) fn unknown_motion(&self, error: &RunError) -> Option<String> {
-        let sized = error.bodies.iter().zip(&self.core.model.bodies);
-        let relative = sized.map(|(error, body)| (error.of_size(body.size), &body.name));
-        let (relative, name) = relative.max_by(|a, b| a.0.total_cmp(&b.0))?;
-        (relative > PLACE_UNKNOWN).then(|| {
-            format!("where {name} is at the end is not known: the estimated error is {relative:.2} of its size")
-        })
     }
 
     /// The references as plain data.
@@ -411,11 +439,8 @@ impl Simulation {
         let course = self.references.course.clone();
         content::ErrorEstimate {
             effort: self.references.effort,
-            start: self.references.start.as_ref().map(|start| content::StartOfRun {
-                t_s: start.t_s,
-                states: write_states(&start.states),
-                rested: start.rested.clone(),
-            }),
+            start: self.references.start.as_ref().map(save_start),
+            before: self.references.before.as_ref().map(save_start),
             course,
             running: self.references.running.iter().map(save).collect(),
         }
@@ -453,8 +478,9 @@ impl Simulation {
         &self,
         saved: &content::ErrorEstimate,
     ) -> Result<References<Self>, SimulationError> {
-        let start = saved.start.as_ref().map(|start| self.restored_start(start)).transpose()?;
-        let mut references = References { start, course: saved.course.clone(), ..References::new(saved.effort) };
+        let restored = |start: &Option<_>| start.as_ref().map(|start| self.restored_start(start)).transpose();
+        let (start, before) = (restored(&saved.start)?, restored(&saved.before)?);
+        let mut references = References { start, before, course: saved.course.clone(), ..References::new(saved.effort) };
         for own in &saved.running {
             let by = self.reference_method(own.kind, saved.effort, own.number);
             let run = self.restored_beside(&own.run, &by)?;
@@ -495,12 +521,22 @@ impl Reference<Simulation> {
         }
         Ok(true)
     }
+}
 
-    /// The errors of the bodies of the run that it says.
-    fn errors(&self) -> Vec<BodyError> {
-        let base = |body: usize| self.base.get(body).copied().unwrap_or_default();
-        self.since.iter().enumerate().map(|(body, since)| base(body).plus(*since)).collect()
-    }
+/// Why a reference ends.
+#[derive(Debug)]
+pub(super) enum Ending {
+    /// It cannot go on.
+    Failed(SimulationError),
+    /// It costs more than it may.
+    TooCostly,
+    /// Bodies have come apart, and it accompanies contacts.
+    Apart,
+}
+
+/// The start of references as plain data.
+fn save_start(start: &StartOfRun) -> content::StartOfRun {
+    content::StartOfRun { t_s: start.t_s, states: write_states(&start.states), rested: start.rested.clone() }
 }
 
 /// What the distance from a reference is multiplied by. Where time steps pass crowded events, their error is larger
@@ -510,19 +546,18 @@ fn weight(reference: &Reference<Simulation>, is_crowded: bool) -> f64 {
 }
 
 /// Units of work of all references so far.
-fn spent(course: &Course, running: &[Reference<Simulation>]) -> f64 {
+pub(super) fn spent(course: &Course, running: &[Reference<Simulation>]) -> f64 {
     (course.spent() + running.iter().map(Reference::work).sum::<u64>()) as f64
 }
 
 /// Units of work that a reference of a kind may need to begin, where the beginning of the run has taken `own` and so
 /// many pairs touch. The first step of another method solves for their contact forces at every stage.
-fn beginning(kind: ReferenceKind, own: u64, touching_pairs: usize) -> f64 {
+pub(super) fn beginning(kind: ReferenceKind, own: u64, touching_pairs: usize) -> f64 {
     let rows = ROWS_OF_PAIR * touching_pairs;
     let first_step = work::OF_STEP * rows * rows.min(ROWS_COUPLED_AT_ONCE) / work::ROWS_OF_UNIT;
     match kind {
         ReferenceKind::OtherMethod => own as f64 + first_step as f64,
-        ReferenceKind::OtherSteps => own as f64,
-        ReferenceKind::Disturbed => 2.0 * own as f64,
+        ReferenceKind::OtherSteps | ReferenceKind::Disturbed => own as f64,
     }
 }
 
@@ -532,9 +567,9 @@ fn place_of(sample: &BodySample) -> [f64; 3] {
 }
 
 /// The larger errors of both.
-fn larger(one: Option<Vec<BodyError>>, other: Vec<BodyError>) -> Vec<BodyError> {
+fn larger(one: Option<&Vec<BodyError>>, other: Vec<BodyError>) -> Vec<BodyError> {
     let Some(one) = one else { return other };
-    one.into_iter().zip(other).map(|(a, b)| a.max(b)).collect()
+    one.iter().zip(other).map(|(a, b)| a.max(b)).collect()
 }
 
 /// How far a body is from where another run has it.

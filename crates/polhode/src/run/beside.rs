@@ -30,9 +30,6 @@ const LARGER_TOLERANCE: f64 = 100.0;
 /// Seed of the signs of a disturbance.
 const SIGNS: u64 = 52;
 
-/// How many times longer the fixed steps of a cheap method are.
-const LONGER_FIXED_STEPS: f64 = 4.0;
-
 /// How many times shorter the steps under error control of another method are, and how much smaller its tolerance.
 const SHORTER_STEPS: f64 = 0.37;
 const SMALLER_TOLERANCE: f64 = 1e-2;
@@ -61,30 +58,15 @@ impl Simulation {
     pub(super) fn reference_method(&self, kind: ReferenceKind, effort: ErrorEstimation, begun: u32) -> ReferenceMethod {
         let factor = effort.step_factor(begun);
         match kind {
-            ReferenceKind::OtherMethod => self.other_method(),
-            ReferenceKind::OtherSteps => self.other_steps(factor),
-            // A cheap tier tells how differences grow, but not when.
-            ReferenceKind::Disturbed if effort == ErrorEstimation::Full => self.other_steps(factor),
-            ReferenceKind::Disturbed => self.cheap_method(factor),
+            ReferenceKind::OtherMethod => self.other_method(effort),
+            // Other tiers make contacts at other times, and differences grow at those.
+            ReferenceKind::OtherSteps | ReferenceKind::Disturbed => self.other_steps(factor),
         }
     }
 
-    /// A cheap method, whose motion differences of rounding disturb as they disturb that of the run.
-    fn cheap_method(&self, factor: f64) -> ReferenceMethod {
-        let own = &self.core.settings;
-        let tier = own.tier.facts().cheap;
-        if tier == own.tier {
-            return self.other_steps(factor);
-        }
-        let step_s = Some(own.step_s * LONGER_FIXED_STEPS);
-        let method = Method { tier: Some(tier), step_s, ..Method::default() };
-        let settings = Settings::resolve(&method, tier);
-        let by = ReferenceMethod { settings, method, words: format!("tier {}", tier.name()), weight: 1.0 };
-        if self.reference_model(&by).is_ok() { by } else { self.other_steps(factor) }
-    }
-
-    /// Another tier; in one that is compared with itself, steps and tolerance as small as they may be.
-    fn other_method(&self) -> ReferenceMethod {
+    /// Another tier, with steps as long as they may be in a quick estimate; in one that is compared with itself, steps and
+    /// tolerance as small as they may be.
+    fn other_method(&self, effort: ErrorEstimation) -> ReferenceMethod {
         let (own, scene) = (&self.core.settings, self.scene.method());
         let tier = own.tier.facts().second_opinion;
         if tier == own.tier && !own.names_fixed_steps() {
@@ -94,8 +76,11 @@ impl Simulation {
             let words = format!("tier {} at a tolerance of {:e}", tier.name(), settings.tolerance);
             return ReferenceMethod { settings, method: scene.clone(), words, weight: 1.5 };
         }
+        // Contacts are found and followed at any step; long ones cost less, and are exact enough to be compared with.
+        let step_s = (effort == ErrorEstimation::Quick).then_some(LONG_STEP_S);
         let method = Method {
             tier: Some(tier),
+            step_s,
             impact: Some(own.impact),
             propagation_order: scene.propagation_order,
             pulse_exponent: scene.pulse_exponent,
@@ -120,7 +105,10 @@ impl Simulation {
             let weight = 3.0 * before / settings.tolerance;
             return ReferenceMethod { settings, method, words, weight };
         }
-        settings.step_s *= factor;
+        // Pairs are found once in a step: substeps become fewer before steps become longer.
+        let substeps = (f64::from(settings.substeps) / factor).ceil();
+        settings.step_s *= factor * substeps / f64::from(settings.substeps);
+        settings.substeps = substeps as u32;
         settings.step_is_given = true;
         let words = format!("steps of {} s", settings.step_s);
         // Of first order the distance is `factor - 1` errors; the other factor is for what falls more slowly.

@@ -9,6 +9,7 @@
 //! | `steering` | kinematic bodies that a program steers |
 //! | `stability` | [`Stability`](crate::Stability): how far bodies at rest are from moving |
 //! | `accompany` | runs beside this one are begun, followed and compared with it, to estimate its error |
+//! | `pieces` | pieces of a run that another method computes again where bodies touch |
 //! | `beside` | how such a run begins: by which method, steps and states |
 //! | `restoring` | snapshots, and simulations that continue from them |
 //! | `singular_force` | the singular force that has made a run fail |
@@ -17,6 +18,7 @@ mod accompany;
 mod actions;
 mod beside;
 mod engines;
+mod pieces;
 mod restoring;
 pub(crate) mod simulation;
 mod singular_force;

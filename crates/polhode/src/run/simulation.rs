@@ -517,9 +517,6 @@ impl Simulation {
     fn report(&mut self, outcome: Outcome) -> Result<RunReport, SimulationError> {
         let mut accounts = self.core.accounts.clone();
         let error = self.error();
-        if let Some(unknown) = self.unknown_motion(&error) {
-            accounts.warn(self.core.t, unknown);
-        }
         self.tier.book_present(&self.core, &mut accounts)?;
         let mut report = RunReport {
             scene: self.scene.name().to_owned(),

@@ -8,6 +8,7 @@
 //! | residual of each solve | its problem | 1e-8 | 1e-8 | - | - | 1e-8 | - |
 //! | violation of Coulomb's law | the largest force | 1e-5 | 1e-5 | - | - | - | - |
 //! | loads off Newton's law over a step | their sum | - | 1e-9 | - | - | - | - |
+//! | estimated error of the run, before its horizon | the body | 1e-6 | 1e-2 | 1e-2 | 1e-2 | 1e-2 | 1e-2 |
 //!
 //! A scene may set others ([`PromiseChanges`]). Where a tolerance of the method is above a limit it is the limit. What
 //! the rounding of coordinates makes of a distance is added to its limit: it is told, and is no failure.
@@ -46,8 +47,8 @@ pub struct Promise {
     /// By how much the loads that a step tells may be off Newton's law of a body, relative to the sum of their
     /// magnitudes. None: the tier makes no such steps.
     pub loads: Option<f64>,
-    /// Estimated error of the run, relative to the size of a body. None: it is told, and not held against the run.
-    pub error: Option<f64>,
+    /// Estimated error of the run before its horizon, relative to the size of a body.
+    pub error: f64,
 }
 
 /// How deep two bodies may overlap.
@@ -73,7 +74,7 @@ impl Promise {
             residual: changes.residual.or(self.residual),
             friction: changes.friction.or(self.friction),
             loads: changes.loads.or(self.loads),
-            error: changes.error.or(self.error),
+            error: changes.error.unwrap_or(self.error),
         }
     }
 
@@ -87,6 +88,7 @@ impl Promise {
             overlap,
             joint_gap: self.joint_gap.map(|gap| gap.max(tolerance)),
             energy: self.energy.max(tolerance),
+            error: self.error.max(tolerance),
             ..self
         }
     }

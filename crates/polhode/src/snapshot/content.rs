@@ -76,6 +76,7 @@ pub(crate) struct Motor {
 pub(crate) struct ErrorEstimate {
     pub(crate) effort: ErrorEstimation,
     pub(crate) start: Option<StartOfRun>,
+    pub(crate) before: Option<StartOfRun>,
     pub(crate) course: Course,
     pub(crate) running: Vec<Reference>,
 }

@@ -20,7 +20,7 @@ const PROMISE: Promise = Promise {
     residual: Some(1e-8),
     friction: Some(CONE_LIMIT),
     loads: Some(1e-9),
-    error: None,
+    error: 1e-2,
 };
 
 /// The facts.
@@ -29,6 +29,7 @@ pub(crate) const FACTS: TierFacts = TierFacts {
     summary: "Fixed steps with all contacts solved together at the level of velocities; it always gets through.",
     steps: StepLength::Fixed,
     step_s: TIME_STEP_S,
+    substeps: 1,
     integrator: Integrator::ExactStrang,
     integrator_choice: IntegratorChoice::Tier {
         reason: "the tier has its own: exact flight, forces as one kick in the middle of the step",
@@ -41,7 +42,6 @@ pub(crate) const FACTS: TierFacts = TierFacts {
     order: ErrorOrder::Fixed(ORDER_OF_TIME_STEPS),
     second_opinion: Tier::Accurate,
     compared_first: ReferenceKind::OtherSteps,
-    cheap: Tier::Fast,
     promise: PROMISE,
     remedy: "a shorter method.step would help, or method.tier = \"accurate\"",
     features: &[

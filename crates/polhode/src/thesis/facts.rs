@@ -18,7 +18,7 @@ const PROMISE: Promise = Promise {
     residual: None,
     friction: None,
     loads: None,
-    error: None,
+    error: 1e-2,
 };
 
 /// The facts.
@@ -27,6 +27,7 @@ pub(crate) const FACTS: TierFacts = TierFacts {
     summary: "The thesis's section 3.5 to the letter.",
     steps: StepLength::Fixed,
     step_s: THESIS_STEP_S,
+    substeps: 1,
     integrator: Integrator::Rk4,
     integrator_choice: IntegratorChoice::Scene { reason: "that of the thesis" },
     impact: ImpactLaw::Propagation,
@@ -36,7 +37,6 @@ pub(crate) const FACTS: TierFacts = TierFacts {
     order: ErrorOrder::WithContact(ORDER_WITH_CONTACT),
     second_opinion: Tier::Accurate,
     compared_first: ReferenceKind::OtherMethod,
-    cheap: Tier::Fast,
     promise: PROMISE,
     remedy: "a shorter method.step would help, or method.tier = \"accurate\"",
     features: &[TierFeature::LeastForce, TierFeature::Responses],

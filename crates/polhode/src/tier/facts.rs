@@ -30,6 +30,8 @@ pub struct TierFacts {
     pub steps: StepLength,
     /// Step when none is given, s: the fixed step, or the upper bound of a step.
     pub step_s: f64,
+    /// Substeps of a step when none are given.
+    pub substeps: u32,
     /// Integrator of free motion when none is given and the plan chooses none.
     pub integrator: Integrator,
     /// Who chooses the integrator.
@@ -49,8 +51,6 @@ pub struct TierFacts {
     /// With what a run is compared first: with other steps, or with another method, where the tier has errors that
     /// shorter steps do not take away.
     pub compared_first: ReferenceKind,
-    /// The tier by which two runs tell cheaply how a motion amplifies small differences.
-    pub cheap: Tier,
     /// What it promises at its default tolerance.
     pub promise: Promise,
     /// What would help where a run does not keep it, in words.

@@ -21,9 +21,9 @@ const PENETRATION_AIM: f64 = 1e-12;
 const DEFAULT_CROWDING_TOLERANCE: f64 = 1e-6;
 
 /// Energy that an integrator of fixed steps which a scene names may lose or gain in a tier under error control,
-/// relative to the largest of the run (no unit, 1e-3 to 1e-1). A speed is then wrong by half of that: such a motion
-/// looks the same.
-const ENERGY_OF_NAMED_STEPS: f64 = 1e-2;
+/// relative to the largest of the run, and the error of such a run, of the size of a body (no unit, 1e-3 to 1e-1). A
+/// speed is then wrong by half of that: such a motion looks the same.
+const PROMISE_OF_NAMED_STEPS: f64 = 1e-2;
 
 /// Largest number of events in one step when none is given.
 const DEFAULT_MAX_EVENTS_PER_STEP: u64 = 1_000_000;
@@ -47,7 +47,7 @@ pub(crate) struct Settings {
     pub(crate) penalty: PenaltyMethod,
     pub(crate) broad_phase: BroadPhaseMethod,
     /// Substeps of a step, where they are given.
-    pub(crate) substeps: Option<u32>,
+    pub(crate) substeps: u32,
     pub(crate) step_s: f64,
     /// Whether the scene gives that step.
     pub(crate) step_is_given: bool,
@@ -159,7 +159,8 @@ impl Settings {
         let tolerance = method.tolerance.unwrap_or(DEFAULT_TOLERANCE);
         let mut promise = facts.promise.at_least(tolerance);
         if facts.controls_error() && method.integrator.is_some_and(|named| !named.controls_error()) {
-            promise.energy = promise.energy.max(ENERGY_OF_NAMED_STEPS);
+            promise.energy = promise.energy.max(PROMISE_OF_NAMED_STEPS);
+            promise.error = promise.error.max(PROMISE_OF_NAMED_STEPS);
         }
         Self {
             tier,
@@ -173,7 +174,7 @@ impl Settings {
             response: method.response.or(facts.own_response).unwrap_or_default(),
             penalty: method.penalty.unwrap_or_default(),
             broad_phase: method.broad_phase.unwrap_or_default(),
-            substeps: method.substeps,
+            substeps: method.substeps.unwrap_or(facts.substeps),
             step_s: method.step_s.unwrap_or(facts.step_s),
             step_is_given: method.step_s.is_some(),
             tolerance,
