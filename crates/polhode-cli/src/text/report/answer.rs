@@ -1,7 +1,9 @@
 //! The first lines of a report: did the run end, is it right, what limits it, what to do; and its warnings.
 
+use super::comparisons;
+use super::ended::Ended;
 use super::limits::{cure, limit, worst};
-use super::{Ended, about, comparisons, name};
+use super::words::{about, name};
 use crate::text::table::{Table, number};
 use polhode::{ErrorEstimation, RunReport};
 use polhode_scene::names;

@@ -1,6 +1,6 @@
 //! What is certain about the accuracy of a run: the largest value of each measure. What was lost stands first.
 
-use super::{joule, place};
+use super::words::{joule, place};
 use crate::text::table::{Table, number};
 use polhode::{PairAt, RunReport};
 

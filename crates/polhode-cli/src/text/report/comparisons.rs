@@ -1,6 +1,6 @@
 //! The runs with which a run was compared.
 
-use super::about;
+use super::words::about;
 use crate::text::table::{Table, number};
 use polhode::{ReferenceReport, RunError};
 

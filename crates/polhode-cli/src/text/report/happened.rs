@@ -1,6 +1,7 @@
 //! What happened in a run: steps, events, springs; where the bodies are at the end; energies.
 
-use super::{Ended, MOST_BODIES, about, joule, rest};
+use super::ended::Ended;
+use super::words::{MOST_BODIES, about, joule, rest};
 use crate::text::table::{Table, number, vector};
 use polhode::{Acceleration, Energy, ReportedBody, RunReport, Scene, SpringReport};
 

@@ -1,6 +1,6 @@
 //! Where the energy and the momentum of a run went, by cause. Entries that are exactly zero are left out.
 
-use super::joule;
+use super::words::joule;
 use crate::text::table::{Table, number, vector};
 use polhode::{Ledger, MomentumLedger};
 

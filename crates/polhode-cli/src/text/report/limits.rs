@@ -4,7 +4,7 @@
 //! against the promised one: the largest of these ratios limits the run. Where a limit is exceeded, the worst one does,
 //! and its cure is what to do.
 
-use super::{about, place};
+use super::words::{about, place};
 use crate::text::table::number;
 use polhode::{BrokenPromise, ErrorEstimation, Outcome, RunReport};
 

@@ -13,24 +13,26 @@
 //! | `certificate` | what is certain about the accuracy |
 //! | `ledgers` | where energy and momentum went |
 //! | `plan` | methods and effects |
+//! | `ended` | what is known of a run when it has ended |
+//! | `words` | how numbers, bodies and places are told |
 
 mod answer;
 mod certificate;
 mod comparisons;
+mod ended;
 mod happened;
 mod ledgers;
 mod limits;
 mod plan;
+mod words;
 
+pub(crate) use ended::Ended;
 pub(crate) use happened::accelerations;
 
 use super::table::number;
 use crate::heading::Heading;
-use polhode::{BodyId, PairAt, Plan, RunReport, Scene};
+use polhode::{Plan, Scene};
 use polhode_scene::LoadedScene;
-
-/// Most bodies listed: more are for a file to hold.
-const MOST_BODIES: usize = 50;
 
 /// How much of a report is printed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -39,17 +41,6 @@ pub(crate) enum Extent {
     Short,
     /// All.
     Full,
-}
-
-/// What is known of a run when it has ended.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Ended<'a> {
-    /// Its report.
-    pub(crate) report: &'a RunReport,
-    /// How far what stands is from moving.
-    pub(crate) stands: Option<&'a str>,
-    /// Time that it took, s.
-    pub(crate) wall_s: f64,
 }
 
 /// What a run has come to.
@@ -99,31 +90,4 @@ pub(crate) fn approximations(scene: &Scene) -> String {
         ))
     };
     scene.bodies().iter().filter_map(of_body).collect()
-}
-
-/// A measured number in as many digits as say something: two.
-fn about(value: f64) -> String {
-    format!("{value:.1e}").parse().map_or_else(|_| number(value), number)
-}
-
-/// The name of a body.
-fn name(report: &RunReport, body: BodyId) -> &str {
-    report.bodies.get(body.index()).map_or("", |body| body.name.as_str())
-}
-
-/// Which bodies, and when.
-fn place(report: &RunReport, at: PairAt) -> String {
-    let (a, b) = (name(report, at.body_a), name(report, at.body_b));
-    // A joint with the world has one body.
-    let bodies = if at.body_a == at.body_b { a.to_owned() } else { format!("{a} and {b}") };
-    format!("{bodies} at t = {} s", number(at.t_s))
-}
-
-/// What is not listed.
-fn rest(count: usize, elsewhere: &str) -> String {
-    if count > MOST_BODIES { format!("  and {} more: see {elsewhere}\n", count - MOST_BODIES) } else { String::new() }
-}
-
-fn joule(value: f64) -> String {
-    format!("{} J", number(value))
 }
