@@ -145,6 +145,8 @@ step
 - **Velocity** and **energy** in the tables that `polhode cost` prints: the largest error of a velocity at the end \
 of the
   run, of the largest speed (0 where all have come to rest), and what integration lost or made of the energy.
+- **Estimated** there is the error that a run tells of itself, by runs beside it, which are not timed; it is empty where
+  they would take too long.
 - **Colours** are families of methods, markers their members.
 - The **Pareto front** has the methods for which no other has both a smaller error and a shorter time. In a figure it is
   the broad line: the smallest error at each time.

@@ -32,7 +32,7 @@ pub(crate) enum Command {
     /// Plays a pile that stands beside one that falls, and says what to do next
     #[command(after_help = help::DEMO)]
     Demo(DemoArgs),
-    /// Simulates a scene and reports energies, ledger and certificate
+    /// Simulates a scene, and says whether the run is right and what happened
     #[command(after_help = help::RUN)]
     Run(RunArgs),
     /// Continues a run from a checkpoint, to the same bits as if it had never stopped
@@ -157,6 +157,10 @@ pub(crate) struct RunOutputArgs {
     /// Prints the report of the whole run as JSON
     #[arg(long)]
     pub(crate) json: bool,
+    /// Prints the whole report: what it was compared with, certificate, ledgers, plan and effects too (--json has all
+    /// of it anyway)
+    #[arg(long)]
+    pub(crate) full: bool,
     /// How the error of the run is estimated: by runs beside it, which are to take three tenths of its time at most
     /// (quick) or three times as much (full) [default: quick; `resume`: as before]
     #[arg(long, value_name = "EFFORT", value_enum)]

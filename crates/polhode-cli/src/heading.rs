@@ -30,7 +30,12 @@ impl Heading {
     /// As lines of text, each with its end: nothing where there is nothing to say beyond the name.
     pub(crate) fn lines(&self, name: &str) -> String {
         let title = if self.title == name { String::new() } else { format!("{}\n", self.title) };
-        title + &wrapped(&self.description)
+        title + &self.description_lines()
+    }
+
+    /// The description alone, likewise.
+    pub(crate) fn description_lines(&self) -> String {
+        wrapped(&self.description)
     }
 }
 

@@ -8,6 +8,7 @@ use crate::progress::Progress;
 use crate::run_files::{RunFiles, is_stdout};
 use crate::scene::SceneText;
 use crate::second_opinion::{Asked, Opinion};
+use crate::text::{Ended, Extent};
 use crate::verbosity::{self, Verbosity};
 use crate::watch::Watch;
 use crate::{cost, scene, stdout, text};
@@ -74,7 +75,8 @@ fn prepared(args: &RunArgs, interrupt: &Interrupt) -> Result<Run, Failure> {
         simulation.set_error_estimation(estimation.into());
     }
     let second = args.second_opinion.then(|| Asked::new(scene::effects(&args.scene.changes)));
-    Ok(Run { loaded, simulation, files, checkpoints, progress, started, second, report: Report::of(&args.output) })
+    let (report, extent) = (Report::of(&args.output), extent(&args.output));
+    Ok(Run { loaded, simulation, files, checkpoints, progress, started, second, report, extent })
 }
 
 /// A run from a checkpoint on.
@@ -105,8 +107,8 @@ fn restored(args: &ResumeArgs, interrupt: &Interrupt) -> Result<Run, Failure> {
     }
     let files = RunFiles::create(&args.output, &inputs, &loaded, &checkpoints, interrupt)?;
     let started = Instant::now();
-    let (second, report) = (None, Report::of(&args.output));
-    Ok(Run { loaded, simulation, files, checkpoints, progress, started, second, report })
+    let (second, report, extent) = (None, Report::of(&args.output), extent(&args.output));
+    Ok(Run { loaded, simulation, files, checkpoints, progress, started, second, report, extent })
 }
 
 /// The threads that compute islands.
@@ -139,6 +141,11 @@ impl Report {
             Self::Text
         }
     }
+}
+
+/// How much of the report is told as text.
+fn extent(asked: &RunOutputArgs) -> Extent {
+    if asked.full { Extent::Full } else { Extent::Short }
 }
 
 /// How far a run has come that did not end: its scene, the time reached and the duration, s.
@@ -188,6 +195,7 @@ struct Run {
     /// What a second opinion is to be compared with, if one is asked for.
     second: Option<Asked>,
     report: Report,
+    extent: Extent,
 }
 
 impl Run {
@@ -251,9 +259,10 @@ impl Run {
         self.files.finish(report, interrupt).map_err(|failure| (told, failure))?;
         let scene = &self.loaded.scene;
         let opinion = self.second.map(|asked| asked.answer(scene, report, interrupt));
+        let ended = Ended { report, stands: stands.as_deref(), wall_s };
         let text = || {
             let said = opinion.as_ref().map_or_else(String::new, Opinion::text);
-            format!("{}{said}", text::run(&self.loaded, report, stands.as_deref(), wall_s))
+            format!("{}{said}", text::run(&self.loaded, ended, self.extent))
         };
         let printed = match told {
             Report::Json => {

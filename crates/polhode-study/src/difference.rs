@@ -5,12 +5,13 @@
 //! | position | largest distance of a body's origin from the reference's, of the scene's length |
 //! | attitude | largest angle between a body's attitude and the reference's, rad |
 //! | error | the larger of the two: what a candidate is judged by |
+//! | estimated | the error that a run tells of itself, in the measures of position and attitude |
 //! | velocity | largest of dv and l dw at the end, of the largest v and l w of the run; l is the body's size |
 //! | energy | what the integrator lost or made over smooth stages (`D_numerical`), of the largest energy of the run |
 //!
 //! The scene's length is the largest distance a body travels, or the largest radius of gyration where that is more.
 
-use polhode::{BodySample, Recorder, RunReport, Scene};
+use polhode::{BodySample, Recorder, RunError, RunReport, Scene};
 
 /// What errors are relative to.
 #[derive(Debug, Clone, PartialEq)]
@@ -117,6 +118,16 @@ impl Scales {
             errors.attitude = worst(errors.attitude, errors.final_attitude);
         }
         Ok(errors)
+    }
+}
+
+impl Scales {
+    /// The error that a run tells of itself: the largest one of any body, and those at the end. None where it tells
+    /// none.
+    pub fn estimated(&self, error: &RunError) -> Option<f64> {
+        let largest = error.largest?.error;
+        let all = std::iter::once(&largest).chain(&error.bodies);
+        Some(all.map(|error| worst(relative(error.position_m, self.length_m), error.rotation_rad)).fold(0.0, worst))
     }
 }
 

@@ -68,6 +68,7 @@ fn candidate(study: &Study, entry: &Entry) -> Value {
             value["error"] = json!(errors.headline());
             // Below this nothing is known: it is the error of the reference.
             value["known_error"] = json!(study.known_error(entry));
+            value["estimated_error"] = json!(measured.estimated);
             value["law"] = json!(measured.law.map(|other| other.law.name()));
             value["law_difference"] = json!(measured.law.map(|other| other.difference));
             value["position_error"] = json!(errors.position);

@@ -2,6 +2,7 @@
 
 use crate::ladder::Range;
 use crate::timing::Effort;
+use polhode::ErrorEstimation;
 
 /// Rounds of timing of a search for an accuracy: enough to choose between methods.
 const FEW_ROUNDS: Effort = Effort { fewest_rounds: 2, most_rounds: 5, enough_s: 0.02 };
@@ -27,6 +28,9 @@ pub struct Options {
     pub range: Range,
     /// Whether cost is counted in instructions too.
     pub counting: Counting,
+    /// How the error that a run tells of itself is found, to stand beside its true one: by a run of its own, which is
+    /// not timed.
+    pub estimation: ErrorEstimation,
 }
 
 impl Options {
@@ -39,6 +43,7 @@ impl Options {
             target: Some(target),
             range: Range::Methods,
             counting: Counting::Time,
+            estimation: ErrorEstimation::Off,
         }
     }
 }

@@ -9,7 +9,7 @@ use crate::reference::{self, Reference};
 use crate::source::{Completed, Source};
 use crate::timing::{self, Effort, Timing};
 use polhode::scene::Integrator;
-use polhode::{Decision, Effect, EffectDecision, Plan, Scene};
+use polhode::{Decision, Effect, EffectDecision, ErrorEstimation, Plan, Scene};
 use polhode_scene::Override;
 use std::time::Duration;
 
@@ -65,6 +65,8 @@ pub(crate) struct Difference {
     pub(crate) solver: Solver,
     /// Its law of contact, where that is not the scene's.
     pub(crate) law: Option<OtherLaw>,
+    /// The error that the run tells of itself, where that was asked for and took not too long.
+    pub(crate) estimated: Option<f64>,
 }
 
 /// A run of a law of which only methods of its own know the limit.
@@ -103,7 +105,8 @@ impl<'a> Runs<'a> {
                 let found = references.get(reference).ok_or("there is no reference")?;
                 let is_other = found.facts.contact && law != Law::of(&found.run.report.plan);
                 let own = if is_other { self.own_reference(references, reference, law) } else { reference };
-                let difference = difference(references, [reference, own], &run)?;
+                let mut difference = difference(references, [reference, own], &run)?;
+                difference.estimated = self.estimated(&candidate, &run, references.get(own));
                 if is_other && law.model().is_none() {
                     of_own_law.push(OfOwnLaw { number, law, run });
                 }
@@ -154,6 +157,19 @@ impl<'a> Runs<'a> {
         let outcome = self.source.record(&scene, self.spent.limit(candidate));
         self.spent.note(candidate, outcome.as_ref().ok());
         outcome
+    }
+
+    /// The error that a run tells of itself, in the measure of its reference: the run is made once more for that, where
+    /// the time of its series allows it.
+    fn estimated(&self, candidate: &Candidate, run: &Completed, reference: Option<&Reference>) -> Option<f64> {
+        let estimation = self.options.estimation;
+        let rounds = self.options.effort.fewest_rounds + 2;
+        if estimation == ErrorEstimation::Off || !self.spent.affords(candidate, run.took, rounds) {
+            return None;
+        }
+        let scene = self.scene(candidate, self.options.samples).ok()?;
+        let told = self.source.record_estimating(&scene, self.spent.limit(candidate), estimation).ok()?;
+        reference?.scales.estimated(&told.report.error)
     }
 
     /// Number of the reference of a law that is not the scene's; that of the scene where it has none.
@@ -238,7 +254,7 @@ fn difference(references: &[Reference], [base, own]: [usize; 2], run: &Completed
         Some(OtherLaw { law, difference: scene.scales.errors(&scene.run.record, &limit.run.record)?.headline() })
     };
     let (steps, solver) = (run.report.steps, Solver::of(&run.report.plan));
-    Ok(Difference { errors, energy_error: energy_error(&run.report), steps, solver, law })
+    Ok(Difference { errors, energy_error: energy_error(&run.report), steps, solver, law, estimated: None })
 }
 
 /// Judges runs of laws of which no other method knows the limit by the finest run of their series. The finest itself is
@@ -307,6 +323,11 @@ impl Spent {
         ))
     }
 
+    /// Whether a run that has taken so long may be made so many times: any that was asked for may.
+    fn affords(&self, candidate: &Candidate, took: Duration, rounds: usize) -> bool {
+        candidate.growth.is_none() || took.as_secs_f64() * rounds as f64 <= SHARE_OF_ONE * self.share_s
+    }
+
     /// How long a candidate may run: the first of a series, and one that is asked for, to its end.
     fn limit(&self, candidate: &Candidate) -> Option<Duration> {
         candidate.growth.and_then(|_| Duration::try_from_secs_f64(self.share_s).ok())
@@ -350,5 +371,8 @@ mod tests {
         assert!(spent.admit(&ladder[2], 4).is_err());
         assert!(spent.admit(&ladder[3], 4).is_ok(), "another series has its own share");
         assert!(spent.admit(&candidate("a", None), 4).is_ok(), "what is asked for runs");
+        let second = Duration::from_secs(1);
+        assert!(spent.affords(&ladder[1], second, 7) && !spent.affords(&ladder[1], second, 8));
+        assert!(spent.affords(&ladder[0], 100 * second, 8), "what is asked for tells its error");
     }
 }

@@ -64,12 +64,25 @@ impl Source<'_> {
     /// # Errors
     /// Why the run failed, in a line.
     pub fn record(&self, scene: &Scene, limit: Option<Duration>) -> Result<Completed, String> {
+        self.record_estimating(scene, limit, ErrorEstimation::Off)
+    }
+
+    /// The same, with its error estimated so: it takes longer.
+    ///
+    /// # Errors
+    /// Why the run failed, in a line.
+    pub fn record_estimating(
+        &self,
+        scene: &Scene,
+        limit: Option<Duration>,
+        estimation: ErrorEstimation,
+    ) -> Result<Completed, String> {
         let mut watch = Watch {
             record: Recorder::default(),
             until: limit.map(|limit| Instant::now() + limit),
             going: Going { host: self.host },
         };
-        let (report, took) = self.timed(scene, &mut watch)?;
+        let (report, took) = self.timed(scene, estimation, &mut watch)?;
         match report.outcome {
             // A method that breaks its promise is shown with the error that it has.
             Outcome::Completed | Outcome::Degraded if report.simulated_s >= report.duration_s => {
@@ -89,15 +102,19 @@ impl Source<'_> {
     /// # Errors
     /// Why the run failed, in a line.
     pub fn run(&self, scene: &Scene) -> Result<(RunReport, Duration), String> {
-        self.timed(scene, &mut Going { host: self.host })
+        self.timed(scene, ErrorEstimation::Off, &mut Going { host: self.host })
     }
 
     /// Runs a scene; the time does not count what is done before the first step: reading the scene, the plan, the
     /// search for what touches at the start.
-    fn timed(&self, scene: &Scene, observer: &mut dyn Observer) -> Result<(RunReport, Duration), String> {
-        let mut simulation = Simulation::with_effects(scene, self.effects)
-            .map_err(|error| error.to_string())?
-            .estimating(ErrorEstimation::Off);
+    fn timed(
+        &self,
+        scene: &Scene,
+        estimation: ErrorEstimation,
+        observer: &mut dyn Observer,
+    ) -> Result<(RunReport, Duration), String> {
+        let mut simulation =
+            Simulation::with_effects(scene, self.effects).map_err(|error| error.to_string())?.estimating(estimation);
         let started = Instant::now();
         let report = simulation.run_observed(observer).map_err(|error| error.to_string())?;
         Ok((report, started.elapsed()))

@@ -69,6 +69,9 @@ pub struct Measured {
     pub solver: Solver,
     /// Its law of contact, where that is not the scene's.
     pub law: Option<OtherLaw>,
+    /// The error that it tells of itself, by runs beside it, in the measure of its error; none where it tells none, or
+    /// that would have taken too long.
+    pub estimated: Option<f64>,
     /// Its time.
     pub timing: Timing,
     /// Instructions, when they were counted.
@@ -275,10 +278,10 @@ fn judged(
     let resolution = if counting == Counting::Time { TIME_RESOLUTION } else { 0.0 };
     let mut entries: Vec<Entry> = Vec::with_capacity(compared.len());
     for ((entry, timing), count) in compared.into_iter().zip(timings).zip(counts) {
-        let outcome = entry.outcome.and_then(|Difference { errors, energy_error, steps, solver, law }| {
+        let outcome = entry.outcome.and_then(|Difference { errors, energy_error, steps, solver, law, estimated }| {
             let timing = timing.ok_or_else(|| "it was not timed".to_owned())?;
             let instructions = count.transpose()?;
-            Ok(Measured { errors, energy_error, steps, solver, law, timing, instructions, on_front: false })
+            Ok(Measured { errors, energy_error, steps, solver, law, estimated, timing, instructions, on_front: false })
         });
         entries.push(Entry { candidate: entry.candidate, reference: entry.reference, outcome });
     }
@@ -337,7 +340,8 @@ mod tests {
     fn compared(series: &str, runs: bool) -> Compared {
         let candidate = Candidate { series: series.to_owned(), rung: String::new(), changes: Vec::new(), growth: None };
         let solver = Solver { integrator: Integrator::Rk4, closed_form: false };
-        let difference = Difference { errors: Errors::default(), energy_error: 0.0, steps: 1, solver, law: None };
+        let (errors, energy_error, steps) = (Errors::default(), 0.0, 1);
+        let difference = Difference { errors, energy_error, steps, solver, law: None, estimated: None };
         let outcome = if runs { Ok(difference) } else { Err(String::new()) };
         Compared { candidate, reference: 0, outcome }
     }
@@ -356,6 +360,7 @@ mod tests {
                 steps,
                 solver,
                 law: None,
+                estimated: None,
                 timing,
                 instructions: None,
                 on_front: false,

@@ -4,13 +4,14 @@ use polhode_study::study::{Entry, Measured, Study};
 use std::fmt::Write as _;
 
 /// The columns. Errors are relative, angles in rad; an empty field is what was not measured.
-const COLUMNS: [&str; 27] = [
+const COLUMNS: [&str; 28] = [
     "method",
     "setting",
     "changes",
     "reference",
     "reference_error",
     "error",
+    "estimated_error",
     "law",
     "law_difference",
     "position_error",
@@ -65,7 +66,7 @@ fn described(study: &Study, entry: &Entry) -> Vec<String> {
 }
 
 /// Columns from `error` to `pareto`.
-const NUMBERS: usize = 20;
+const NUMBERS: usize = 21;
 
 fn numbers(study: &Study, entry: &Entry, measured: &Measured) -> [String; NUMBERS] {
     let errors = &measured.errors;
@@ -73,6 +74,7 @@ fn numbers(study: &Study, entry: &Entry, measured: &Measured) -> [String; NUMBER
     let [low, high] = measured.timing.spread;
     [
         digits(errors.headline()),
+        measured.estimated.map_or(String::new(), digits),
         // Empty where it is the scene's.
         measured.law.map_or("", |other| other.law.name()).to_owned(),
         measured.law.map_or(String::new(), |other| digits(other.difference)),
@@ -136,6 +138,7 @@ mod tests {
             steps: 10,
             solver: Solver { integrator: Integrator::Cf4, closed_form: false },
             law: None,
+            estimated: Some(0.75),
             timing: Timing { ratio: 0.75, spread: [0.5, 1.0], seconds: 0.001, rounds: 3 },
             instructions: None,
             on_front: true,
@@ -157,8 +160,9 @@ mod tests {
         let rows: Vec<_> = text.lines().collect();
         assert_eq!(rows[0], COLUMNS.join(","));
         let changes = "method.integrator=cf4 method.step=0.1";
-        let numbers = "0.5,,,0.25,0.5,,28.64788975654116,0.0,0.0,0.0,1e-9,0.75,0.5,1.0,750.0,0.001,3,,10,true,true,";
+        let numbers =
+            "0.5,0.75,,,0.25,0.5,,28.64788975654116,0.0,0.0,0.0,1e-9,0.75,0.5,1.0,750.0,0.001,3,,10,true,true,";
         assert_eq!(rows[1], format!("cf4,step 0.1,{changes},,,{numbers}"));
-        assert_eq!(rows[2], format!("cf4,,{changes},,,,,,,,,,,,,,,,,,,,,,,false,\"refused, \"\"why\"\"\""));
+        assert_eq!(rows[2], format!("cf4,,{changes},,,,,,,,,,,,,,,,,,,,,,,,false,\"refused, \"\"why\"\"\""));
     }
 }

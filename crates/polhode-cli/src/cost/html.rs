@@ -20,10 +20,11 @@ th,td{padding:.15em .8em;text-align:left;white-space:nowrap}td.n{text-align:righ
 tr.front{background:#fff3d0}pre{white-space:pre-wrap}\
 @media(prefers-color-scheme:dark){body{background:#0d1117;color:#e6edf3}tr.front{background:#3a3010}}";
 
-const COLUMNS: [&str; 12] = [
+const COLUMNS: [&str; 13] = [
     "method",
     "setting",
     "error",
+    "estimated",
     "law",
     "position, mm",
     "attitude, degrees",
@@ -72,6 +73,10 @@ fn row(rows: &mut String, study: &Study, entry: &Entry) {
     let _ = write!(rows, "<tr{class}>{name}");
     let floor = study.references.get(entry.reference).map_or(0.0, |reference| reference.error);
     let _ = write!(rows, "{}", cell(errors.headline(), &escaped(&text::at_most(errors.headline(), floor))));
+    match measured.estimated {
+        Some(estimated) => rows.push_str(&cell(estimated, &format!("{estimated:.2e}"))),
+        None => rows.push_str("<td></td>"),
+    }
     match measured.law {
         Some(other) => rows.push_str(&cell(other.difference, &format!("{:.2e}", other.difference))),
         None => rows.push_str("<td></td>"),

@@ -35,6 +35,7 @@ use crate::scene::SceneText;
 use crate::{inputs, stdout};
 use broad_phases::BroadPhaseStudy;
 use elastic_drop::{ElasticBeside, ElasticDrop};
+use polhode::ErrorEstimation;
 use polhode_scene::{AtomicFile, Override};
 use polhode_study::ladder::Range;
 use polhode_study::timing::Effort;
@@ -70,9 +71,9 @@ pub(crate) fn cost(args: &CostArgs, interrupt: &Interrupt) -> Result<(), Failure
     // A folder that does not exist is found before the work, not after it.
     let paths = [&args.csv, &args.svg, &args.html];
     let [csv, svg, html] = interrupt.remove(|| open_all(paths), temporary)?;
-    let (target, range) = (args.target, Range::MethodsAndLaws);
-    let options =
-        Options { samples: args.samples, effort: effort(args), budget_s: args.budget, target, range, counting };
+    let (target, range, estimation) = (args.target, Range::MethodsAndLaws, ErrorEstimation::Quick);
+    let (samples, budget_s) = (args.samples, args.budget);
+    let options = Options { samples, effort: effort(args), budget_s, target, range, counting, estimation };
     let study = program::study(&text, &args.scene.changes, |source| Study::run(source, &axes, &options))?;
     let beside: Option<ElasticBeside> = elastic.map(ElasticDrop::run).transpose()?;
     let told = beside.as_ref().map_or_else(String::new, ElasticBeside::text);

@@ -97,6 +97,7 @@ pub(super) fn notes(study: &Study) -> String {
         );
         lines.row(["law", &what]);
     }
+    lines.row(["estimated", ESTIMATED]);
     lines.row(["velocity", VELOCITY]);
     lines.row(["energy", ENERGY]);
     let time = format!("relative to {}: median of interleaved rounds, without preparing the scene", study.base_name());
@@ -108,6 +109,10 @@ pub(super) fn notes(study: &Study) -> String {
     }
     lines.print()
 }
+
+/// What the column `estimated` is.
+const ESTIMATED: &str = "the error that the run tells of itself, by runs beside it (--error quick), in the measure of \
+     the error; empty where that would have taken too long";
 
 /// What the column `velocity` is.
 pub(super) const VELOCITY: &str =
@@ -125,8 +130,20 @@ fn described(reference: &Reference) -> String {
 }
 
 fn columns(study: &Study) -> Vec<String> {
-    let mut columns =
-        vec!["", "method", "setting", "error", "law", "mm", "degrees", "velocity", "energy", "time", "noise"];
+    let mut columns = vec![
+        "",
+        "method",
+        "setting",
+        "error",
+        "estimated",
+        "law",
+        "mm",
+        "degrees",
+        "velocity",
+        "energy",
+        "time",
+        "noise",
+    ];
     if study.counting == Counting::Instructions {
         columns.push("instructions");
     }
@@ -143,6 +160,7 @@ fn row(study: &Study, entry: &Entry, measured: &Measured) -> Vec<String> {
         entry.candidate.series.clone(),
         entry.candidate.rung.clone(),
         at_most(errors.headline(), floor),
+        measured.estimated.map_or_else(String::new, short),
         measured.law.map_or_else(String::new, |law| short(law.difference)),
         short(millimetres),
         short(degrees),

@@ -18,6 +18,6 @@ mod table;
 pub(crate) use comparison::comparison;
 pub(crate) use mesh::{mesh, repairs, unit};
 pub(crate) use mesh_studies::{monte_carlo, reference_points};
-pub(crate) use report::{accelerations, approximations, plan, run};
+pub(crate) use report::{Ended, Extent, accelerations, approximations, plan, run};
 pub(crate) use stability::{stability, stability_line};
 pub(crate) use table::{Table, number};

@@ -54,6 +54,28 @@ fn a_flight() {
     assert!(html.contains(svg.trim_end()) && html.contains("<script>") && html.matches("<tr").count() == 5);
 }
 
+/// The error that a run tells of itself stands beside the true one, which a closed form knows: it is at least a tenth
+/// of it, or both are rounding. A run that hides its error tenfold is the fault that this finds.
+#[test]
+fn told_errors_stand_beside_true_ones() {
+    let place = Place::with_scene(FLIGHT);
+    let vary = ["--vary", "method.tier=thesis,stepped", "--vary", "method.integrator=rk4,semi-implicit-euler"];
+    let rest = ["--vary", "method.step=0.05,0.01", "--samples", "5", "--rounds", "1", "--json", "--csv", "a.csv"];
+    let json = place.expect(0, &[&["cost", "scene.toml"][..], &vary, &rest].concat()).json();
+    assert_eq!(json["references"][0]["kind"], "exact");
+    let candidates = json["candidates"].as_array().unwrap();
+    let ran: Vec<_> = candidates.iter().filter(|candidate| candidate["failure"].is_null()).collect();
+    assert!(ran.len() >= 4, "{json}");
+    for candidate in &ran {
+        let [error, estimated] = ["error", "estimated_error"].map(|key| candidate[key].as_f64().unwrap());
+        assert!(estimated >= 0.1 * error || error < 1e-13, "{candidate}");
+    }
+    assert!(ran.iter().any(|candidate| candidate["error"].as_f64().unwrap() > 1e-6), "{json}");
+    assert!(place.read("a.csv").lines().next().unwrap().contains(",error,estimated_error,"));
+    let text = place.expect(0, &varied(&[])).stdout;
+    assert!(text.contains("the error that the run tells of itself"), "{text}");
+}
+
 /// A target is reached by a method that is named with the lines that select it, or the exit code is 1.
 #[test]
 fn target() {

@@ -57,7 +57,7 @@ fn examples() {
 fn new_scenes() {
     let place = Place::new();
     assert_eq!(place.expect(0, &["new", "mine"]).stdout, "mine.toml\n");
-    assert!(place.expect(0, &["run", "mine.toml", "--duration", "0.1"]).stdout.starts_with("scene mine\n"));
+    assert!(place.expect(0, &["run", "mine.toml", "--duration", "0.1"]).stdout.starts_with("scene mine: "));
     place.expect(0, &["new", "l.toml", "--from", "thrown-l-shape"]);
     assert_eq!(place.list(), ["l-shape.obj", "l.toml", "mine.toml"]);
     place.expect(0, &["check", "l.toml"]);
@@ -87,14 +87,25 @@ fn help_has_examples() {
     }
 }
 
-/// The report begins with what has come out; the plan stands below and fits 100 columns. No colour, and nothing on
-/// stderr of a run that is short.
+/// The report begins with its answers; in full the plan stands below all else and fits 100 columns. No colour, and
+/// nothing on stderr of a run that is short.
 #[test]
 fn the_report_leads_with_the_result() {
     let place = Place::new();
-    let run = place.expect(0, &["run", "example:box-drop", "--duration", "0.2"]);
+    let run = place.expect(0, &["run", "example:box-drop", "--duration", "0.2", "--full"]);
     let at = |part: &str| run.stdout.find(part).unwrap_or_else(|| panic!("{part} is missing: {}", run.stdout));
-    let order = ["\nrun\n", "\ncertificate", "\nenergy\n", "\nledger", "\nat the end\n", "\nplan\n", "\neffects\n"];
+    let order = [
+        "  simulated ",
+        "\n  is it right ",
+        "\nwhat happened\n",
+        "\nat the end\n",
+        "\nenergy\n",
+        "\ncompared with\n",
+        "\ncertificate",
+        "\nledger",
+        "\nplan\n",
+        "\neffects\n",
+    ];
     assert!(order.is_sorted_by_key(|part| at(part)), "{}", run.stdout);
     let plan = &run.stdout[at("\nplan\n")..];
     assert!(plan.lines().all(|line| line.chars().count() <= 100), "{plan}");

@@ -15,6 +15,7 @@ mod interrupts;
 mod mesh;
 mod plan;
 mod plots;
+mod report;
 mod resume;
 mod robots;
 mod run;

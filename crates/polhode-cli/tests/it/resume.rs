@@ -50,7 +50,7 @@ fn a_run_that_is_resumed_ends_like_one_that_was_never_stopped() {
         let rest = rest.split_once('\n').unwrap().1;
         assert!(whole.ends_with(rest) && rest.lines().count() < whole.lines().count(), "{rest}");
     }
-    assert!(place.expect(0, &["resume", "scene.checkpoint"]).stdout.contains("certificate"));
+    assert!(place.expect(0, &["resume", "scene.checkpoint", "--full"]).stdout.contains("\ncertificate"));
 }
 
 /// A checkpoint may be written on the way of a resumed run, over the one that it began with.

@@ -53,8 +53,8 @@ fn json() {
 /// The report for people.
 #[test]
 fn text() {
-    let run = Place::with_scene(FLIGHT).expect(0, &["run", "scene.toml"]);
-    for part in ["plan", "run", "energy", "ledger", "closure", "certificate", "at the end", "0.5 of 0.5 s"] {
+    let run = Place::with_scene(FLIGHT).expect(0, &["run", "scene.toml", "--full"]);
+    for part in ["plan", "what happened", "energy", "ledger", "certificate", "at the end", "0.5 of 0.5 s"] {
         assert!(run.stdout.contains(part), "{part}\n{}", run.stdout);
     }
     assert!(run.stderr.is_empty(), "{}", run.stderr);
@@ -71,7 +71,9 @@ fn description() {
         (Some("A stone"), Some("It flies. Look up."))
     );
     let text = place.expect(0, &["run", "scene.toml"]).stdout;
-    assert!(text.starts_with("scene flight\nA stone\nIt flies. Look up.\n\nrun\n"), "{text}");
+    assert!(text.starts_with("scene flight: A stone\n  simulated"), "{text}");
+    let text = place.expect(0, &["run", "scene.toml", "--full"]).stdout;
+    assert!(text.contains("\n\nIt flies. Look up.\n\nwhat happened\n"), "{text}");
     let plain = Place::with_scene(FLIGHT).expect(0, &["run", "scene.toml", "--json"]).json();
     assert_eq!((plain["title"].as_str(), plain["description"].is_null()), (Some("flight"), true));
 }
@@ -185,7 +187,7 @@ fn run_that_keeps_its_promise_is_completed() {
 /// What was lost stands before what only checks the book-keeping.
 #[test]
 fn losses_come_first() {
-    let run = Place::with_scene(FLIGHT).expect(0, &["run", "scene.toml"]);
+    let run = Place::new().expect(0, &["run", "example:box-drop", "--full"]);
     let place = |part: &str| run.stdout.find(part).unwrap_or_else(|| panic!("{part} is missing: {}", run.stdout));
     let order = ["numerical loss", "taken by projection", "largest projection", "largest penetration", "closure"];
     assert!(order.is_sorted_by_key(|part| place(part)), "{}", run.stdout);
