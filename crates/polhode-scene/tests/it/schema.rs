@@ -35,7 +35,7 @@ fn lists_what_is_accepted() {
     collect(&schema, &mut words);
     let accepted = "format name duration gravity method output materials pairs bodies forces no_contact interval \
         friction restitution tier step substeps integrator orientation rotation_rate impact contact response \
-        broad_phase tolerance coordinates max_events_per_step crowding crowding_tolerance error fixed shape mass \
+        broad_phase tolerance coordinates max_events_per_step crowding crowding_tolerance error off quick full fixed shape mass \
         density inertia center_of_mass hollow position rotation_vector velocity angular_velocity material pivot motion \
         sine frequency axis angle times orientations rotation_vectors box sphere half_space \
         points convex mesh size radius normal positions file thesis stepped fast accurate quaternion \

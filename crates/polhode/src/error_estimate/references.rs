@@ -64,12 +64,14 @@ pub(crate) struct References<S> {
     pub(crate) start: Option<StartOfRun>,
     pub(crate) running: Vec<Reference<S>>,
     pub(crate) course: Course,
+    /// Errors of the bodies at the comparison before the last one; empty where there was none.
+    pub(crate) errors_before: Vec<BodyError>,
 }
 
 impl<S> References<S> {
     /// None yet, for an estimate of this effort.
     pub(crate) fn new(effort: ErrorEstimation) -> Self {
-        Self { effort, start: None, running: Vec::new(), course: Course::default() }
+        Self { effort, start: None, running: Vec::new(), course: Course::default(), errors_before: Vec::new() }
     }
 
     /// Whether a reference of this kind runs.
