@@ -36,8 +36,8 @@ const STOP_LINES: usize = 3;
 const MARKS: usize = 5;
 /// Places of events of a kind up to which each is drawn through all panels.
 const FEW_EVENTS: usize = 60;
-/// How much of a band is seen.
-const BAND: f64 = 0.18;
+/// How much of all bands of a panel is seen together, where they lie over each other.
+const BANDS: f64 = 0.3;
 /// What is beyond a stop, of the time that was reached.
 const BEYOND_STOP: f64 = 0.04;
 
@@ -309,7 +309,7 @@ fn draw_lines(svg: &mut Svg, panel: &Panel, frame: &Frame, [top, foot]: [f64; 2]
         let foremost = around.len();
         around.extend(band.low.samples().map(|[t_s, value]| [frame.x(t_s), y(value)]));
         around[foremost..].reverse();
-        svg.area(&around, line.ink, BAND);
+        svg.area(&around, line.ink, BANDS / panel.bands.len() as f64);
     }
     for line in &panel.lines {
         let stroke = Stroke::new(line.ink, 1.5);

@@ -1,10 +1,11 @@
-// The estimated errors of bodies: a halo around each whose error is seen, as far as any point of it may be off, and the
-// words about one body.
+// The estimated errors of bodies: a halo around each whose error is seen, its box and as far as any point of it may be
+// off, and the words about one body.
 
-import { BackSide, Group, MeshBasicMaterial, SphereGeometry } from 'three';
+import { BoxGeometry, Group, MeshBasicMaterial } from 'three';
 import { HALO_COLOUR } from './colours.js';
-import { instancedMesh, writeMatrix } from './instances.js';
+import { instancedMesh } from './instances.js';
 import { short } from './numbers.js';
+import { placeBox } from './overlays/boxes.js';
 
 /** The error in radii of a body from which it has a halo: about a line's width in a picture of the body. */
 const SEEN = 0.02;
@@ -26,10 +27,9 @@ export class Halos {
       color: HALO_COLOUR,
       transparent: true,
       opacity: 0.22,
-      side: BackSide,
       depthWrite: false,
     });
-    this.mesh = instancedMesh(new SphereGeometry(1, 32, 24), material, run.moving.length);
+    this.mesh = instancedMesh(new BoxGeometry(1, 1, 1), material, run.moving.length);
     this.mesh.raycast = () => {};
     this.group.add(this.mesh);
   }
@@ -52,11 +52,11 @@ export class Halos {
     moving.forEach((body, place) => {
       const radius = this.radiusOf(body);
       const error = errors.values[first + 2 * place] + errors.values[first + 2 * place + 1] * radius;
+      const { box } = this.run.bodies[body];
       // What is not known is not drawn.
-      if (!(error > SEEN * radius)) return;
-      const r = radius + error;
-      const middle = [0, 1, 2].map((k) => snapshot.poses[7 * body + k]);
-      writeMatrix(this.mesh.instanceMatrix.array, count, [r, 0, 0], [0, r, 0], [0, 0, r], middle);
+      if (!box || !(error > SEEN * radius)) return;
+      const wider = [box[0].map((value) => value - error), box[1].map((value) => value + error)];
+      placeBox(this.mesh.instanceMatrix.array, count, wider, snapshot.poses, body);
       count += 1;
     });
     this.mesh.count = count;
