@@ -188,8 +188,8 @@ impl Recording {
         self.states.array(py)
     }
 
-    /// Estimated errors of the bodies: (N, 2 times the number of bodies), not a number where one is not known; none of a
-    /// run of which none is known.
+    /// Estimated errors of the bodies: (N, 2 times the number of bodies), not a number where one is not known; none of
+    /// a run of which none is known.
     fn errors(&self, py: Python<'_>) -> PyResult<Option<Py<PyAny>>> {
         self.errors.as_ref().map(|errors| errors.array(py)).transpose()
     }

@@ -1,8 +1,9 @@
 //! Comparing two trajectories.
 //!
-//! Two CSV trajectories with the same bodies at the same times (by text) are compared number by number:
-//! `|a - b| <= atol + rtol max(|a|, |b|)`. A quaternion and its negative are the same rotation, so the sign of the
-//! second is chosen to fit the first. Estimated errors are not compared: either file may have them. Files are read side by side, row by row, whatever their size.
+//! Two CSV trajectories with the same bodies at the same times (by text) are compared number by number: `|a - b| <=
+//! atol + rtol max(|a|, |b|)`. A quaternion and its negative are the same rotation, so the sign of the second is chosen
+//! to fit the first. Estimated errors are not compared: either file may have them. Files are read side by side, row by
+//! row, whatever their size.
 
 use crate::output::COLUMNS;
 use crate::trajectory_rows::{FIRST_NUMBER, Row, RowError, Rows};

@@ -33,8 +33,8 @@ class RunError(float):
         made._told = told
         return made
 
-    def __getnewargs__(self) -> tuple[float, dict[str, Any]]:
-        return float(self), self._told
+    def __reduce__(self) -> tuple[Any, ...]:
+        return RunError, (float(self), self._told)
 
     def _largest(self, key: str) -> Any:
         return (self._told["largest"] or {}).get(key)

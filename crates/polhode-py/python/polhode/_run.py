@@ -56,8 +56,9 @@ def run(
     scene, and in rad), for which the cheapest method is searched in some ten seconds; ``step`` is in s; ``set`` changes
     any key, as in ``set={"materials.ice.friction": 0.1}``. ``error`` says how the error of the run is estimated
     (:attr:`Run.error`): not at all (``"off"``), by runs beside it that are to add at most three tenths to its time
-    (``"quick"``), or at most three times its time (``"full"``); when absent as the scene says, or quick. ``effects="all"`` leaves nothing out. Without ``joints`` the
-    loads of joints, which cost a solve at each sample, are not computed.
+    (``"quick"``), or at most three times its time (``"full"``); when absent as the scene says, or quick.
+    ``effects="all"`` leaves nothing out. Without ``joints`` the loads of joints, which cost a solve at each sample, are
+    not computed.
 
     With ``frames`` what pages and plots tell is kept as well, for a solve of the contact forces at each sample; when
     absent, in notebooks. Without it the first page or plot simulates the scene again. ``progress`` shows a bar of

@@ -35,7 +35,7 @@ fn lists_what_is_accepted() {
     collect(&schema, &mut words);
     let accepted = "format name duration gravity method output materials pairs bodies forces no_contact interval \
         friction restitution tier step substeps integrator orientation rotation_rate impact contact response \
-        broad_phase tolerance coordinates max_events_per_step crowding crowding_tolerance error off quick full fixed shape mass \
+        broad_phase tolerance coordinates max_events_per_step crowding crowding_tolerance error fixed shape mass \
         density inertia center_of_mass hollow position rotation_vector velocity angular_velocity material pivot motion \
         sine frequency axis angle times orientations rotation_vectors box sphere half_space \
         points convex mesh size radius normal positions file thesis stepped fast accurate quaternion \
@@ -54,7 +54,7 @@ fn lists_what_is_accepted() {
         tangent reach ends free stops straight gears breaks_at moment ratio coordinates rate values distance \
         tangential_restitution arrays layout grid pyramid wall drop counts spacing base length height turn count seed \
         stronge poisson newton whittaker chatterjee-ruina penalty hertz hunt-crossley plain mindlin regularised \
-        penetration_m stiffness_n_m slip_speed_m_s youngs_modulus_pa poisson_ratio";
+        off quick full penetration_m stiffness_n_m slip_speed_m_s youngs_modulus_pa poisson_ratio";
     let integrators = Integrator::ALL.map(Integrator::name);
     for word in accepted.split_whitespace().chain(integrators) {
         assert!(words.iter().any(|known| known == word), "{word} is missing");
