@@ -162,7 +162,8 @@ pub(crate) struct RunOutputArgs {
     #[arg(long)]
     pub(crate) full: bool,
     /// How the error of the run is estimated: by runs beside it, which are to take three tenths of its time at most
-    /// (quick) or three times as much (full) [default: quick; `resume`: as before]
+    /// (quick) or three times as much (full); off leaves the columns of errors out of trajectories [default: what the
+    /// scene says, or quick; `resume`: as before]
     #[arg(long, value_name = "EFFORT", value_enum)]
     pub(crate) error: Option<ErrorArg>,
     /// Threads that compute the islands of a step (tiers stepped and fast); the bits are the same for any number

@@ -21,7 +21,7 @@ pub(crate) fn compare(args: &CompareArgs, interrupt: &Interrupt) -> Result<(), F
     let mut plots = interrupt.remove(|| Plots::create(args), |plots| plots.iter().filter_map(temporary).collect())?;
     let comparison = compare_rows(&args.a, &args.b, tolerance, |row| {
         if let (Some(plots), Some([a, b])) = (&mut plots, &row.samples) {
-            plots.drawn.push(row.t_s, row.body, [a, b]);
+            plots.drawn.push(row.t_s, row.body, [a, b], row.errors);
         }
     })?;
     if let Some(plots) = plots {

@@ -5,7 +5,7 @@ use crate::drawing::Drawing;
 use crate::failure::{self, Failure};
 use crate::heading::Heading;
 use crate::interrupt::Interrupt;
-use polhode::{BodySample, Event, Flow, Frame, Observer, Scene};
+use polhode::{BodyError, BodySample, Event, Flow, Frame, Observer, Scene};
 use polhode_scene::AtomicFile;
 use polhode_view::animation::{FPS, Pace, Watcher, write_apng, write_gif, write_webp};
 use polhode_view::camera::Viewpoint;
@@ -225,6 +225,14 @@ impl Observer for Pictures {
 
     fn frame(&mut self, frame: &Frame) {
         self.observers().for_each(|observer| observer.frame(frame));
+    }
+
+    fn wants_errors(&self) -> bool {
+        self.page_runs.iter().any(|(_, run)| run.wants_errors())
+    }
+
+    fn errors(&mut self, t: f64, errors: Option<&[BodyError]>) {
+        self.observers().for_each(|observer| observer.errors(t, errors));
     }
 
     fn progress(&mut self, t: f64) -> Flow {

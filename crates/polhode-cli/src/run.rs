@@ -12,7 +12,7 @@ use crate::text::{Ended, Extent};
 use crate::verbosity::{self, Verbosity};
 use crate::watch::Watch;
 use crate::{cost, scene, stdout, text};
-use polhode::{Outcome, RunReport, Simulation};
+use polhode::{ErrorEstimation, Outcome, RunReport, Simulation};
 use polhode_scene::{Checkpoint, LoadedScene, scene_report_json};
 use polhode_study::Threads;
 use polhode_study::difference::energy_error;
@@ -61,7 +61,9 @@ fn prepared(args: &RunArgs, interrupt: &Interrupt) -> Result<Run, Failure> {
     let checkpoints = Checkpoints::new(&args.checkpoints, &checkpoint_name(file), file, changes)?;
     let mut inputs = loaded.mesh_files();
     inputs.extend(text.file().map(Path::to_owned));
-    let files = RunFiles::create(&args.output, &inputs, &loaded, &checkpoints, interrupt)?;
+    let estimation = args.output.error.map(ErrorEstimation::from);
+    let estimation = estimation.or(loaded.scene.method().error).unwrap_or_default();
+    let files = RunFiles::create(&args.output, &inputs, (&loaded, estimation), &checkpoints, interrupt)?;
     let started = Instant::now();
     let progress = if scene::has_parts_to_find(&loaded) {
         drop(progress);
@@ -71,9 +73,7 @@ fn prepared(args: &RunArgs, interrupt: &Interrupt) -> Result<Run, Failure> {
     };
     let mut simulation = scene::prepare(&loaded, &args.scene.changes)?;
     simulation.set_executor(threads(&args.output));
-    if let Some(estimation) = args.output.error {
-        simulation.set_error_estimation(estimation.into());
-    }
+    simulation.set_error_estimation(estimation);
     let second = args.second_opinion.then(|| Asked::new(scene::effects(&args.scene.changes)));
     let (report, extent) = (Report::of(&args.output), extent(&args.output));
     Ok(Run { loaded, simulation, files, checkpoints, progress, started, second, report, extent })
@@ -105,7 +105,8 @@ fn restored(args: &ResumeArgs, interrupt: &Interrupt) -> Result<Run, Failure> {
             "note: the run has ended at t = {reached_s} s; resume --duration S, with S above that, goes on from there"
         ));
     }
-    let files = RunFiles::create(&args.output, &inputs, &loaded, &checkpoints, interrupt)?;
+    let run = (&loaded, simulation.error_estimation());
+    let files = RunFiles::create(&args.output, &inputs, run, &checkpoints, interrupt)?;
     let started = Instant::now();
     let (second, report, extent) = (None, Report::of(&args.output), extent(&args.output));
     Ok(Run { loaded, simulation, files, checkpoints, progress, started, second, report, extent })

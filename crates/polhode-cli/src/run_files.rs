@@ -10,7 +10,7 @@ use crate::interrupt::Interrupt;
 use crate::pictures::{ENDINGS, Kind, Options, Pictures};
 use crate::plots::{Plots, is_plot};
 use crate::scene::STANDARD;
-use polhode::{Observer, Plan, RunReport, Simulation};
+use polhode::{ErrorEstimation, Observer, Plan, RunReport, Simulation};
 use polhode_scene::{CsvStream, LoadedScene, OutputError, Outputs, page_report_json, shown_failure, shown_outcome};
 use polhode_view::FrameSource;
 use serde_json::Value;
@@ -32,14 +32,15 @@ pub(crate) fn is_stdout(path: &Path) -> bool {
 }
 
 impl RunFiles {
-    /// Opens what is asked for; `inputs` are the files that the run is made from.
+    /// Opens what is asked for of a run of a scene, whose error is estimated so; `inputs` are the files that it is made
+    /// from.
     ///
     /// # Errors
     /// When an output would replace an input, is named twice, is of no known kind or cannot be opened.
     pub(crate) fn create(
         asked: &RunOutputArgs,
         inputs: &[PathBuf],
-        loaded: &LoadedScene,
+        (loaded, estimation): (&LoadedScene, ErrorEstimation),
         checkpoints: &Checkpoints,
         interrupt: &Interrupt,
     ) -> Result<Self, Failure> {
@@ -57,7 +58,11 @@ impl RunFiles {
         let create = || Pictures::create(&shown, &heading, Options::default());
         let mut pictures = interrupt.remove(create, |pictures| pictures.temporary().to_vec())?;
         let create = || {
-            let outputs = Outputs::create(&loaded.scene, &trajectories, asked.events.as_deref())?;
+            let create = match estimation {
+                ErrorEstimation::Off => Outputs::create,
+                _ => Outputs::create_with_errors,
+            };
+            let outputs = create(&loaded.scene, &trajectories, asked.events.as_deref())?;
             match &asked.joints {
                 Some(path) => outputs.with_joints(path, loaded.joint_names()),
                 None => Ok(outputs),
@@ -69,7 +74,13 @@ impl RunFiles {
         })?;
         abandoned::note(&outputs.left_behind());
         pictures.begin_run(&loaded.scene, loaded.scene.name(), FrameSource::Simulation)?;
-        let begin = |_| CsvStream::begin(&loaded.scene, BufWriter::new(io::stdout()));
+        let begin = |_| {
+            let out = BufWriter::new(io::stdout());
+            match estimation {
+                ErrorEstimation::Off => CsvStream::begin(&loaded.scene, out),
+                _ => CsvStream::begin_with_errors(&loaded.scene, out),
+            }
+        };
         let stream = to_stdout.first().map(begin).transpose()?;
         Ok(Self { outputs, pictures, plots, stream })
     }

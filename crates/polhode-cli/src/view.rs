@@ -250,6 +250,7 @@ fn read(path: &Path, run: &ShownRun, pictures: &mut Pictures) -> Result<(), Fail
     let mut reader = TrajectoryReader::open(path, &run.loaded.scene)?;
     while let Some((t, bodies)) = reader.next_sample()? {
         pictures.sample(t, &bodies);
+        pictures.errors(t, reader.errors());
         if pictures.progress(t) == Flow::Stop {
             break;
         }

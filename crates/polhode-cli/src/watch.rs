@@ -2,7 +2,7 @@
 
 use crate::interrupt::Interrupt;
 use crate::progress::Progress;
-use polhode::{BodySample, Event, Flow, Frame, JointSample, Observer};
+use polhode::{BodyError, BodySample, Event, Flow, Frame, JointSample, Observer};
 
 /// Tells all that a run is watched by, shows progress, and stops the run at Ctrl-C, SIGTERM or when a checkpoint is
 /// due.
@@ -40,6 +40,14 @@ impl Observer for Watch<'_> {
 
     fn joints(&mut self, t: f64, joints: &[JointSample]) {
         self.observers.iter_mut().for_each(|observer| observer.joints(t, joints));
+    }
+
+    fn wants_errors(&self) -> bool {
+        self.observers.iter().any(|observer| observer.wants_errors())
+    }
+
+    fn errors(&mut self, t: f64, errors: Option<&[BodyError]>) {
+        self.observers.iter_mut().for_each(|observer| observer.errors(t, errors));
     }
 
     fn progress(&mut self, t: f64) -> Flow {

@@ -3,12 +3,14 @@
 use crate::job::Watch;
 use crate::telling::Telling;
 use polhode::scene::Coordinate;
-use polhode::{BodySample, Energy, Event, Flow, Frame, JointSample, Observer, Scene};
+use polhode::{BodyError, BodySample, Energy, ErrorEstimation, Event, Flow, Frame, JointSample, Observer, Scene};
 use std::collections::TryReserveError;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 /// Numbers of a body in a sample: position, orientation, velocity, angular velocity.
 pub(crate) const OF_BODY: usize = 13;
+/// Numbers of the estimated error of a body in a sample: position, rotation.
+pub(crate) const OF_ERROR: usize = 2;
 /// Numbers of a joint in a sample: value and rate of each coordinate, force, moment, power.
 pub(crate) const OF_JOINT: usize = 2 * Coordinate::ALL.len() + 7;
 /// Numbers of the energy in a sample: kinetic, potential.
@@ -19,6 +21,8 @@ pub(crate) const OF_ENERGY: usize = 2;
 pub(crate) struct Columns {
     pub(crate) times: Vec<f64>,
     pub(crate) states: Vec<f64>,
+    /// Not a number where an error is not known; empty where none is.
+    pub(crate) errors: Vec<f64>,
     pub(crate) energies: Vec<f64>,
     pub(crate) joints: Vec<f64>,
     pub(crate) events: Vec<Event>,
@@ -38,6 +42,9 @@ impl Columns {
         let mut columns = Self::default();
         columns.times.try_reserve_exact(samples)?;
         columns.states.try_reserve_exact(samples.saturating_mul(scene.bodies().len() * OF_BODY))?;
+        if scene.method().error.unwrap_or_default() != ErrorEstimation::Off {
+            columns.errors.try_reserve_exact(samples.saturating_mul(scene.bodies().len() * OF_ERROR))?;
+        }
         columns.energies.try_reserve_exact(samples.saturating_mul(OF_ENERGY))?;
         columns.joints.try_reserve_exact(samples.saturating_mul(joints * OF_JOINT))?;
         Ok(columns)
@@ -53,6 +60,10 @@ impl Columns {
             .min(complete(taken.joints.len(), joints * OF_JOINT));
         taken.times.truncate(samples);
         taken.states.truncate(samples * bodies * OF_BODY);
+        // The errors of samples are told later than these.
+        if !taken.errors.is_empty() {
+            taken.errors.resize(samples * bodies * OF_ERROR, f64::NAN);
+        }
         taken.energies.truncate(samples * OF_ENERGY);
         taken.joints.truncate(samples * joints * OF_JOINT);
         taken
@@ -113,6 +124,20 @@ impl Observer for Recorder<'_> {
         let mut columns = self.shared.columns();
         if !columns.is_closed {
             columns.energies.extend([energy.kinetic_j, energy.potential_j]);
+        }
+    }
+
+    fn wants_errors(&self) -> bool {
+        true
+    }
+
+    fn errors(&mut self, t_s: f64, errors: Option<&[BodyError]>) {
+        if let Some(telling) = &mut self.telling {
+            telling.errors(t_s, errors);
+        }
+        let mut columns = self.shared.columns();
+        if let Some(errors) = errors.filter(|_| !columns.is_closed) {
+            columns.errors.extend(errors.iter().flat_map(|error| [error.position_m, error.rotation_rad]));
         }
     }
 

@@ -4,7 +4,7 @@
 //! copied.
 
 use crate::drawn::Drawn;
-use crate::recorder::{Columns, OF_BODY, OF_ENERGY, OF_JOINT};
+use crate::recorder::{Columns, OF_BODY, OF_ENERGY, OF_ERROR, OF_JOINT};
 use crate::telling::Unread;
 use numpy::ndarray::{Array2, Dimension};
 use numpy::{PyArray, PyArray1, PyArray2, PyArrayDyn, PyArrayMethods};
@@ -73,6 +73,8 @@ fn sealed<D: Dimension>(array: Bound<'_, PyArray<f64, D>>) -> Py<PyAny> {
 pub(crate) struct Recording {
     times: Column,
     states: Column,
+    /// None of a run whose errors are not known.
+    errors: Option<Column>,
     energies: Column,
     joints: Column,
     events: Vec<Event>,
@@ -122,13 +124,14 @@ pub(crate) struct Ending {
 impl Recording {
     pub(crate) fn new(columns: Columns, names: [Vec<String>; 2], ending: Ending, source: Source) -> Self {
         let [body_names, joint_names] = names;
-        let Columns { times, states, energies, joints, events, .. } = columns;
+        let Columns { times, states, errors, energies, joints, events, .. } = columns;
         let Ending { report, certificate, broken, failure } = ending;
         let samples = times.len();
         let table = |width: usize| Shape::Table(samples, width);
         Self {
             times: Column::new(times, Shape::Line),
             states: Column::new(states, table(body_names.len() * OF_BODY)),
+            errors: (!errors.is_empty()).then(|| Column::new(errors, table(body_names.len() * OF_ERROR))),
             energies: Column::new(energies, table(OF_ENERGY)),
             joints: Column::new(joints, table(joint_names.len() * OF_JOINT)),
             events,
@@ -183,6 +186,12 @@ impl Recording {
     /// States of the bodies: (N, 13 times the number of bodies).
     fn states(&self, py: Python<'_>) -> PyResult<Py<PyAny>> {
         self.states.array(py)
+    }
+
+    /// Estimated errors of the bodies: (N, 2 times the number of bodies), not a number where one is not known; none of
+    /// a run of which none is known.
+    fn errors(&self, py: Python<'_>) -> PyResult<Option<Py<PyAny>>> {
+        self.errors.as_ref().map(|errors| errors.array(py)).transpose()
     }
 
     /// Kinetic and potential energies, J: (N, 2).

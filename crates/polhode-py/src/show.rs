@@ -11,7 +11,7 @@ use crate::recording::{Recording, Source};
 use crate::telling::{self, Telling, Unread};
 use crate::{arguments, errors};
 use polhode::spatial::{DVec3, Pose, Rotation, Velocity};
-use polhode::{BodySample, Event, Flow, Frame, JointSample, Observer, Simulation, SimulationError};
+use polhode::{BodyError, BodySample, Event, Flow, Frame, JointSample, Observer, Simulation, SimulationError};
 use polhode_view::ViewError;
 use polhode_view::animation::{FPS, Pace, Watcher, write_gif};
 use polhode_view::camera::{PRESETS, Standpoint, Viewpoint};
@@ -94,6 +94,14 @@ impl Observer for Watched<'_> {
 
     fn event(&mut self, event: &Event) {
         self.telling.event(event);
+    }
+
+    fn wants_errors(&self) -> bool {
+        self.telling.wants_errors()
+    }
+
+    fn errors(&mut self, t_s: f64, errors: Option<&[BodyError]>) {
+        self.telling.errors(t_s, errors);
     }
 
     fn wants_frames(&self) -> bool {

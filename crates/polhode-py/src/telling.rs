@@ -1,7 +1,7 @@
 //! What pages and plots tell of a run, kept while it goes on.
 
 use crate::drawn::Drawn;
-use polhode::{BodySample, Event, Flow, Frame, JointSample, Observer, Plan, RunReport};
+use polhode::{BodyError, BodySample, Event, Flow, Frame, JointSample, Observer, Plan, RunReport};
 use polhode_scene::{LoadedScene, page_report_json, shown_failure, shown_outcome};
 use polhode_view::page::MOST_FRAMES;
 use polhode_view::plot::{RunPlot, RunPlots};
@@ -91,6 +91,14 @@ impl Observer for Telling {
     fn event(&mut self, event: &Event) {
         self.page.event(event);
         self.plots.event(event);
+    }
+
+    fn wants_errors(&self) -> bool {
+        true
+    }
+
+    fn errors(&mut self, t_s: f64, errors: Option<&[BodyError]>) {
+        self.page.errors(t_s, errors);
     }
 
     fn wants_frames(&self) -> bool {

@@ -2,6 +2,7 @@
 
 import gc
 import json
+import pickle
 import subprocess
 import sys
 from concurrent.futures import ThreadPoolExecutor
@@ -49,7 +50,9 @@ def test_the_bits_are_those_of_the_program(name, program, tmp_path):
         table = np.stack([table[name] for name in table.dtype.names], axis=-1)
     table = table.reshape(len(run.t), len(run), -1)
     assert np.array_equal(table[:, 0, 0], run.t)
-    assert np.array_equal(table[:, :, -13:], own)
+    assert np.array_equal(table[:, :, 1:14], own)
+    errors = run._recording.errors().reshape(len(run.t), len(run), 2)
+    assert np.array_equal(table[:, :, 14:], errors) and not np.isnan(errors).any()
     for machine in ("wall_s", "plan"):
         report.pop(machine), run.report.pop(machine)
     assert run.report == report
@@ -314,3 +317,34 @@ def test_what_accuracy_costs() -> None:
         ph.cost(scene, vary={"method.step": "0.1"})
     with pytest.raises(ValueError, match="a value is empty"):
         ph.cost(scene, vary={"method.step": []})
+
+
+def test_a_run_says_how_far_it_may_be_from_the_exact_motion() -> None:
+    """A ball that is thrown: the error of each sample is at least a tenth of the distance from the parabola."""
+    scene = ph.Scene(gravity=9.81, duration=1.0)
+    scene.add(ph.Sphere(0.1), mass=1.0, at=(0, 0, 1), velocity=(1, 0, 2), name="ball")
+    run = ph.run(scene)
+    exact = np.array([0, 0, 1]) + np.outer(run.t, [1, 0, 2]) - 0.5 * 9.81 * np.outer(run.t**2, [0, 0, 1])
+    apart = np.linalg.norm(run["ball"].position - exact, axis=1)
+    error = run["ball"].error
+    assert error.position_m.shape == error.rotation_rad.shape == run.t.shape
+    assert np.all(error.position_m >= 0.1 * apart) and np.all(error.position_m < 1e-13)
+    with pytest.raises(ValueError):
+        error.position_m[0] = 0.0
+    told = run.error
+    assert told == told.relative < 1e-12 and told.body == "ball" and 0.0 <= told.t <= 1.0
+    assert told.m < 1e-13 and told.rad < 1e-12 and told.estimation == "quick" and told.horizon is run.horizon is None
+    assert told.references and told.references[0]["covered_s"] == 1.0
+    copied = pickle.loads(pickle.dumps(told))
+    assert copied == told and copied.body == "ball"
+
+
+def test_estimation_is_asked_for_by_name() -> None:
+    off = ph.run(drop(), error="off")
+    assert off.error is None and off.horizon is None and off["brick"].error is None
+    full = ph.run(drop(), error="full")
+    assert full.error.estimation == "full" and np.array_equal(full["brick"].position, off["brick"].position)
+    assert ph.Simulation(drop(), error="off").run()["error"]["largest"] is None
+    with pytest.raises(ph.SceneError, match="best") as told:
+        ph.run(drop(), error="best")
+    assert "quick" in str(told.value.cure) + str(told.value)

@@ -1,12 +1,13 @@
 //! Comparing two trajectories.
 //!
-//! Two CSV trajectories with the same bodies at the same times (by text) are compared number by number:
-//! `|a - b| <= atol + rtol max(|a|, |b|)`. A quaternion and its negative are the same rotation, so the sign of the
-//! second is chosen to fit the first. Files are read side by side, row by row, whatever their size.
+//! Two CSV trajectories with the same bodies at the same times (by text) are compared number by number: `|a - b| <=
+//! atol + rtol max(|a|, |b|)`. A quaternion and its negative are the same rotation, so the sign of the second is chosen
+//! to fit the first. Estimated errors are not compared: either file may have them. Files are read side by side, row by
+//! row, whatever their size.
 
 use crate::output::COLUMNS;
 use crate::trajectory_rows::{FIRST_NUMBER, Row, RowError, Rows};
-use polhode::BodySample;
+use polhode::{BodyError, BodySample};
 use std::path::{Path, PathBuf};
 use thiserror::Error;
 
@@ -129,6 +130,8 @@ pub struct RowPair<'a> {
     pub body: &'a str,
     /// The body in both; none where numbers are no pose.
     pub samples: Option<[BodySample; 2]>,
+    /// Its estimated errors in both; none where one of them is not known.
+    pub errors: Option<[BodyError; 2]>,
 }
 
 /// Compares two CSV trajectories, and tells of every row that both have.
@@ -165,7 +168,8 @@ pub fn compare_rows(
         comparison.add(&row_a, &row_b, tolerance);
         let [time, body] = &row_a.key;
         let samples = row_a.body_sample().ok().zip(row_b.body_sample().ok()).map(|(a, b)| [a, b]);
-        tell(&RowPair { t_s: time.parse().unwrap_or(f64::NAN), body, samples });
+        let errors = row_a.error.zip(row_b.error).map(|(a, b)| [a, b]);
+        tell(&RowPair { t_s: time.parse().unwrap_or(f64::NAN), body, samples, errors });
     }
 }
 

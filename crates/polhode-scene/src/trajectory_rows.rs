@@ -1,9 +1,9 @@
 //! The rows of a trajectory in a CSV file, read one by one, whatever its size.
 
 use crate::csv::{Fault, Records};
-use crate::output::COLUMNS;
-use polhode::BodySample;
+use crate::output::{COLUMNS, ERROR_COLUMNS, ErrorColumns};
 use polhode::spatial::{DVec3, Pose, Rotation, RotationError, Velocity};
+use polhode::{BodyError, BodySample};
 use std::fs::File;
 use std::io::BufReader;
 use std::path::{Path, PathBuf};
@@ -29,6 +29,23 @@ pub(crate) struct Row {
     /// Time and body as written.
     pub(crate) key: [String; 2],
     pub(crate) numbers: [f64; NUMBERS],
+    /// The estimated error; none where the file has none, or it is not known.
+    pub(crate) error: Option<BodyError>,
+}
+
+/// The error of a body from the numbers of its columns; none where it is not known.
+///
+/// # Errors
+/// Why it is none, in words.
+pub(crate) fn error_of(numbers: [f64; ERROR_COLUMNS.len()]) -> Result<Option<BodyError>, String> {
+    for (number, column) in numbers.iter().zip(ERROR_COLUMNS) {
+        if *number < 0.0 || number.is_infinite() {
+            return Err(format!("column {column} is {number}: it must be finite and at least 0, or empty"));
+        }
+    }
+    let [position_m, rotation_rad] = numbers;
+    let is_known = !(position_m.is_nan() || rotation_rad.is_nan());
+    Ok(is_known.then(|| BodyError::new(position_m, rotation_rad)))
 }
 
 impl Row {
@@ -49,6 +66,7 @@ impl Row {
 pub(crate) struct Rows {
     path: PathBuf,
     records: Records<BufReader<File>>,
+    error_columns: ErrorColumns,
     fields: Vec<String>,
 }
 
@@ -56,13 +74,18 @@ impl Rows {
     /// Opens a file and reads its first line, which must name the columns.
     pub(crate) fn open(path: &Path) -> Result<Self, RowError> {
         let file = File::open(path).map_err(|source| RowError::Read { path: path.to_owned(), source })?;
-        let mut rows = Self { path: path.to_owned(), records: Records::new(BufReader::new(file)), fields: Vec::new() };
+        let records = Records::new(BufReader::new(file));
+        let error_columns = ErrorColumns::Absent;
+        let mut rows = Self { path: path.to_owned(), records, error_columns, fields: Vec::new() };
         let is_empty = !rows.read()?;
-        if rows.fields == COLUMNS {
-            return Ok(rows);
+        for error_columns in [ErrorColumns::Absent, ErrorColumns::Written] {
+            if rows.fields == [&COLUMNS, error_columns.names()].concat() {
+                return Ok(Self { error_columns, ..rows });
+            }
         }
         let what = if is_empty { "the file is empty: " } else { "" };
-        Err(rows.content(format!("{what}the first line must be {}", COLUMNS.join(","))))
+        let (columns, more) = (COLUMNS.join(","), ERROR_COLUMNS.join(","));
+        Err(rows.content(format!("{what}the first line must be {columns}, or that and ,{more}")))
     }
 
     fn read(&mut self) -> Result<bool, RowError> {
@@ -77,17 +100,26 @@ impl Rows {
         if !self.read()? {
             return Ok(None);
         }
-        if self.fields.len() != COLUMNS.len() {
-            let (found, needed) = (self.fields.len(), COLUMNS.len());
+        let needed = COLUMNS.len() + self.error_columns.names().len();
+        if self.fields.len() != needed {
+            let found = self.fields.len();
             return Err(self.content(format!("{found} columns, {needed} are needed{}", self.cut_off())));
         }
-        let mut numbers = [0.0; NUMBERS];
-        for (number, (field, column)) in numbers.iter_mut().zip(self.fields.iter().zip(COLUMNS).skip(FIRST_NUMBER)) {
+        let number = |field: &String, column: &str| {
             let wrong = |_| self.content(format!("`{field}` in column {column} is not a number{}", self.cut_off()));
-            *number = field.parse().map_err(wrong)?;
+            field.parse().map_err(wrong)
+        };
+        let mut numbers = [0.0; NUMBERS];
+        for (own, (field, column)) in numbers.iter_mut().zip(self.fields.iter().zip(COLUMNS).skip(FIRST_NUMBER)) {
+            *own = number(field, column)?;
         }
+        let mut error = [f64::NAN; ERROR_COLUMNS.len()];
+        for (own, (field, column)) in error.iter_mut().zip(self.fields[COLUMNS.len()..].iter().zip(ERROR_COLUMNS)) {
+            *own = if field.is_empty() { f64::NAN } else { number(field, column)? };
+        }
+        let error = error_of(error).map_err(|reason| self.content(reason))?;
         let key = [std::mem::take(&mut self.fields[0]), std::mem::take(&mut self.fields[1])];
-        Ok(Some(Row { key, numbers }))
+        Ok(Some(Row { key, numbers, error }))
     }
 
     /// The line, from 1, at which the last row read ends.

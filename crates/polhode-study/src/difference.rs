@@ -167,7 +167,7 @@ mod tests {
         let turned = Pose { translation: DVec3::X * x, rotation: Rotation::from_rotation_vector(DVec3::Z * angle) };
         let velocity = Velocity { linear: DVec3::X * x, angular: DVec3::ZERO };
         let moved = BodySample { pose: turned, velocity };
-        Recorder { times_s: vec![0.0, 1.0], samples: vec![vec![rest, rest], vec![rest, moved]], events: Vec::new() }
+        Recorder { times_s: vec![0.0, 1.0], samples: vec![vec![rest, rest], vec![rest, moved]], ..Recorder::default() }
     }
 
     #[test]

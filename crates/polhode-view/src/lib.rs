@@ -12,6 +12,7 @@
 //! | `turning` | orientations between two frames |
 //! | `penetration` | how deep bodies overlap, as plots and pages show it |
 //! | [`event_list`], [`series`] | events in words, and quantities over time |
+//! | `error_steps` | estimated errors over time |
 //! | [`page`] | the page writer, which streams while the run goes on |
 //! | [`recording`] | poses over time, for pictures and models |
 //! | [`camera`], [`light`], [`raster`] | a software rasteriser with depth, light, shadow and anti-aliasing |
@@ -43,6 +44,7 @@ pub mod surface_mesh;
 pub mod tessellation;
 
 mod colors;
+mod error_steps;
 mod penetration;
 mod text;
 mod thinning;

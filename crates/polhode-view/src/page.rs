@@ -7,6 +7,7 @@
 
 use crate::chunk::{Chunk, ChunkContact, ChunkDetails, NO_ISLAND};
 use crate::error::ViewError;
+use crate::error_steps::ErrorSteps;
 use crate::event_list::EventList;
 use crate::mesh_library::MeshLibrary;
 use crate::quanta::Quanta;
@@ -16,7 +17,7 @@ use crate::surface_mesh::SurfaceMesh;
 use crate::text;
 use crate::thinning::Thinning;
 use polhode::spatial::DVec3;
-use polhode::{BodySample, Event, Flow, Frame, MotionKind, Observer, Scene};
+use polhode::{BodyError, BodySample, Event, Flow, Frame, MotionKind, Observer, Scene};
 use serde_json::{Value, json};
 use std::io::Write;
 
@@ -117,6 +118,7 @@ impl<W: Write> Page<W> {
             times: Vec::new(),
             chunks: Vec::new(),
             series: Series::default(),
+            errors: ErrorSteps::default(),
             events: EventList::default(),
             fault: None,
         })
@@ -167,6 +169,7 @@ pub struct PageRun<W> {
     times: Vec<f64>,
     chunks: Vec<Value>,
     series: Series,
+    errors: ErrorSteps,
     events: EventList,
     fault: Option<ViewError>,
 }
@@ -217,6 +220,7 @@ impl<W: Write> PageRun<W> {
                 "chunks": self.chunks,
             },
             "series": self.series.json(),
+            "errors": self.errors.json(),
             "events": self.events.into_events(),
         });
         self.page.runs.push(run);
@@ -289,6 +293,14 @@ impl<W: Write> Observer for PageRun<W> {
         let bodies = &self.shown.bodies;
         self.events
             .add(event, |body| bodies.get(body.index()).map_or_else(|| format!("body {body}"), |b| b.name.clone()));
+    }
+
+    fn wants_errors(&self) -> bool {
+        true
+    }
+
+    fn errors(&mut self, t: f64, errors: Option<&[BodyError]>) {
+        self.errors.add(t, errors, &self.shown.moving);
     }
 
     fn wants_frames(&self) -> bool {

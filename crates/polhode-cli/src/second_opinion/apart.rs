@@ -96,7 +96,7 @@ mod tests {
                 velocity: Velocity::ZERO,
             };
             let row = |far: f64| vec![at(0.0, 0.0), at(0.0, turned), at(far, 0.0)];
-            Recorder { times_s: times_s.to_vec(), samples: far.map(row).to_vec(), events: Vec::new() }
+            Recorder { times_s: times_s.to_vec(), samples: far.map(row).to_vec(), ..Recorder::default() }
         };
         let (until, bodies) = compare(&scene, &run([0.0; 2], 0.0, &[0.0, 1.0]), &run([0.5, 0.25], 0.1, &[0.0, 1.0]));
         assert_eq!(until, Some(1.0));

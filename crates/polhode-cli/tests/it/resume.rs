@@ -189,19 +189,20 @@ fn a_run_at_rest_has_a_checkpoint_and_is_extended() {
 }
 
 /// A run that is extended has the motion of one that was as long from the start: to the bit where it was saved before
-/// its end, at which its last step ends, and else to the error of a step.
+/// its end, at which its last step ends, and else to the error of a step. How its error is estimated depends on its
+/// duration.
 #[test]
 fn an_extended_run_is_one_that_was_longer() {
     let place = Place::with_scene(&fall());
-    place.expect(0, &["run", "scene.toml", "--duration", "2", "-o", "whole.csv"]);
+    place.expect(0, &["run", "scene.toml", "--duration", "2", "-o", "whole.csv", "--error", "off"]);
     place.expect(0, &["run", "scene.toml", "--checkpoint", "ended"]);
     place.expect(0, &["run", "scene.toml", "--checkpoint-every", "0.6", "--checkpoint", "before"]);
     let whole = place.read("whole.csv");
-    place.expect(0, &["resume", "before", "--duration", "2", "-o", "rest.csv"]);
+    place.expect(0, &["resume", "before", "--duration", "2", "-o", "rest.csv", "--error", "off"]);
     let rest = place.read("rest.csv");
     let rest = rest.split_once('\n').unwrap().1;
     assert!(!rest.is_empty() && whole.ends_with(rest), "{rest}");
-    place.expect(0, &["resume", "ended", "--duration", "2", "-o", "rest.csv"]);
+    place.expect(0, &["resume", "ended", "--duration", "2", "-o", "rest.csv", "--error", "off"]);
     let rest = place.read("rest.csv");
     let (header, whole) = whole.split_once('\n').unwrap();
     let is_after = |row: &&str| row.split(',').next().unwrap().parse::<f64>().unwrap() > 1.5;

@@ -192,3 +192,44 @@ fn losses_come_first() {
     let order = ["numerical loss", "taken by projection", "largest projection", "largest penetration", "closure"];
     assert!(order.is_sorted_by_key(|part| place(part)), "{}", run.stdout);
 }
+
+/// Every sample has its estimated error: known in each row, at least a tenth of the distance from the parabola and no
+/// more than rounding. The option comes before the scene; with `off` the columns are absent. What reads trajectories
+/// takes both, and does not compare errors.
+#[test]
+fn samples_have_their_errors() {
+    let place = Place::with_scene(FLIGHT);
+    place.expect(0, &["run", "scene.toml", "-o", "a.csv", "-o", "a.npy", "-o", "a.json"]);
+    let text = place.read("a.csv");
+    let mut lines = text.lines();
+    assert!(lines.next().unwrap().ends_with(",wz,error_m,error_rad"), "{text}");
+    for line in lines {
+        // The name of the body has a comma.
+        let mut numbers = line.rsplit(',').map(|field| field.parse::<f64>());
+        let numbers: [f64; 15] = std::array::from_fn(|_| numbers.next().unwrap().unwrap());
+        let [error_rad, error_m, ..] = numbers;
+        let t: f64 = line.split(',').next().unwrap().parse().unwrap();
+        let (x, z) = (numbers[14], numbers[12]);
+        let apart = (x - 3.0 * t).hypot(z - (4.0 * t - 0.5 * 9.81 * t * t));
+        assert!(
+            error_m >= 0.1 * apart && (0.0..1e-13).contains(&error_m) && (0.0..1e-12).contains(&error_rad),
+            "{line}"
+        );
+    }
+    place.expect(0, &["run", "scene.toml", "-o", "off.csv", "--error", "off"]);
+    assert!(place.read("off.csv").lines().next().unwrap().ends_with(",wz"));
+    place.expect(0, &["compare", "a.csv", "off.csv"]);
+    place.expect(0, &["compare", "a.csv", "a.csv", "-o", "a.svg"]);
+    for file in ["a.csv", "a.npy", "a.json", "off.csv"] {
+        place.expect(0, &["view", "scene.toml", file, "-o", "page.html"]);
+    }
+    let scene = FLIGHT.replace("format = 1\n", "format = 1\nmethod.error = \"off\"\n");
+    place.write("scene.toml", &scene);
+    let streamed = place.expect(0, &["run", "scene.toml", "-o", "-"]).stdout;
+    assert_eq!(streamed, place.read("off.csv"));
+    let streamed = place.expect(0, &["run", "scene.toml", "-o", "-", "--error", "quick"]).stdout;
+    assert_eq!(streamed, text);
+    place.write("scene.toml", &scene.replace("\"off\"", "\"best\""));
+    let refused = place.expect(2, &["check", "scene.toml"]).stderr;
+    assert!(["best", "off", "quick", "full"].iter().all(|word| refused.contains(word)), "{refused}");
+}

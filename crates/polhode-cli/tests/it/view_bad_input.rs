@@ -54,8 +54,8 @@ fn csv_that_is_cut_off() {
     let without_last = lines[..lines.len() - 1].join("\n") + "\n";
     let words = ["bad.csv:102:", "cut off", "t = 0.5 s has 1 of 2 bodies; `ball` is missing"];
     shown(&place, "bad.csv", without_last.as_bytes(), &words);
-    let words = ["bad.csv:103:", "columns, 15 are needed", "the file is cut off"];
-    shown(&place, "bad.csv", &text.as_bytes()[..text.len() - 20], &words);
+    let words = ["bad.csv:103:", "columns, 17 are needed", "the file is cut off"];
+    shown(&place, "bad.csv", &text.as_bytes()[..text.len() - 40], &words);
     // Within the digits of the last number.
     let digits = text.trim_end().len() - 1;
     shown(&place, "bad.csv", &text.as_bytes()[..digits], &["bad.csv:103:", "may lack digits", "write it again"]);
@@ -86,6 +86,7 @@ fn csv_of_something_else() {
         ),
         (text.replacen("0.0,ball", "0.0,floor", 1), &["bad.csv:3:", "`floor` stands twice"]),
         ("x\n".to_owned(), &["bad.csv:1:", "the first line must be"]),
+        (text.replacen("\n0.0,floor", ",more\n0.0,floor", 1), &["bad.csv:1:", "or that and ,error_m,error_rad"]),
     ] {
         refused(&place, "bad.csv", content.as_bytes(), words);
     }
@@ -106,7 +107,7 @@ fn trajectories_of_another_scene() {
     let no_body = ["scene `drop` has no body `stone, \"flat\"`; its bodies are", "is it another scene's?"];
     refused(&place, "b.csv", &csv, &no_body);
     refused(&place, "b.json", &json, &no_body);
-    let shape = "its shape is (5, 1, 14), and the scene's is (samples, 2, 14): is it another scene's?";
+    let shape = "its shape is (5, 1, 16), and the scene's is (samples, 2, 14 or 16): is it another scene's?";
     refused(&place, "b.npy", &npy, &[shape]);
 }
 
@@ -123,7 +124,7 @@ fn json_that_is_bad() {
         (text.replace("\"ball\"", "\"bell\""), &["bad.json:4:", "has no body `bell`"]),
         (text.replace(",\"ball\"", ""), &["body `ball` of the scene is missing in `bodies`"]),
         (text.replacen("0.5,1.0", "null,1.0", 1), &["bad.json:5:", "column pz of body `ball` is NaN"]),
-        (text.replacen("0.5,1.0", "1.0", 1), &["bad.json:5:", "a sample", "length"]),
+        (text.replacen("0.5,1.0", "1.0", 1), &["bad.json:5:", "body `ball` has 14 of 15 numbers"]),
         (text.replace("\"px\"", "\"x\""), &["`columns` must stand before `samples` and be px, py"]),
     ];
     for (content, words) in cases {
@@ -139,15 +140,15 @@ fn npy_that_is_bad() {
         let at = bytes.windows(from.len()).position(|window| window == from).unwrap();
         [&bytes[..at], to, &bytes[at + from.len()..]].concat()
     };
-    let data = bytes.len() - 51 * 2 * 14 * 8;
+    let data = bytes.len() - 51 * 2 * 16 * 8;
     let mut nan = bytes.clone();
     nan[data + 8..data + 16].copy_from_slice(&f64::NAN.to_le_bytes());
     let mut time = bytes.clone();
     time[data..data + 8].copy_from_slice(&9.0_f64.to_le_bytes());
-    let words = ["51 samples of 2 bodies take 11424 bytes, and 11423 follow", "cut off"];
+    let words = ["51 samples of 2 bodies take 13056 bytes, and 13055 follow", "cut off"];
     shown(&place, "bad.npy", &bytes[..bytes.len() - 1], &words);
     // The header of a killed program does not count the samples yet.
-    let never_ended = changed(b"(51, 2, 14)", b"(0, 2, 14) ");
+    let never_ended = changed(b"(51, 2, 16)", b"(0, 2, 16) ");
     shown(
         &place,
         ".bad.npy.x1Y2z3.tmp",
@@ -157,10 +158,10 @@ fn npy_that_is_bad() {
     let cases: [(Vec<u8>, &[&str]); 8] = [
         (Vec::new(), &["bad.npy, byte 0", "cut off"]),
         (bytes[..100].to_vec(), &["bad.npy, byte", "cut off"]),
-        ([&bytes[..], b"x"].concat(), &["11425 follow the header"]),
+        ([&bytes[..], b"x"].concat(), &["13057 follow the header"]),
         (b"not numpy at all".to_vec(), &["an NPY file begins with"]),
         (changed(b"<f8", b"<f4"), &["doubles, little-endian"]),
-        (changed(b"(51, 2, 14)", b"(99999999999999999999, 2, 14)"), &["three lengths"]),
+        (changed(b"(51, 2, 16)", b"(99999999999999999999, 2, 14)"), &["three lengths"]),
         (nan, &["bad.npy, byte 304", "column px of body `floor` is NaN"]),
         (time, &["body `ball` has t = 0.0 s in the sample of t = 9.0 s"]),
     ];

@@ -33,6 +33,7 @@ from ._errors import (
     UnknownName,
     ViewError,
 )
+from ._estimate import RunError, TrackError
 from ._functions import doctor, mass_properties, rotate_free
 from ._joints import Ball, Cylindrical, FixedJoint, Hinge, Joint, OnTrack, Planar, Rod, Rope, Screw, Slider, Universal
 from ._polhode import (
@@ -126,6 +127,7 @@ __all__ = [
     "Rod",
     "Rope",
     "Run",
+    "RunError",
     "Scene",
     "SceneError",
     "Screw",
@@ -144,6 +146,7 @@ __all__ = [
     "Table",
     "Torus",
     "Track",
+    "TrackError",
     "Uniform",
     "Universal",
     "UnknownName",

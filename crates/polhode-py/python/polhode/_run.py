@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, Iterator
 from . import _polhode
 from ._cost import Accuracy, all_effects, reached
 from ._errors import Interrupted, NotKept, PolhodeError, SimulationError, UnknownName, ViewError
+from ._estimate import OF_ERROR, RunError, TrackError, of_report
 from ._progress import Bar, in_notebook
 from ._scene import load
 from ._show import Gif, Page, Plot, Still
@@ -39,6 +40,7 @@ def run(
     accuracy: float | None = None,
     step: float | None = None,
     interval: float | None = None,
+    error: str | None = None,
     set: Mapping[str, Any] | None = None,
     effects: str = "planned",
     joints: bool = True,
@@ -52,8 +54,11 @@ def run(
     ``tier`` is a set of methods with one promise (``"accurate"``, ``"stepped"``, ``"fast"`` ...), which the plan
     chooses when absent; ``accuracy`` is the largest error that is accepted (of positions, relative to the length of the
     scene, and in rad), for which the cheapest method is searched in some ten seconds; ``step`` is in s; ``set`` changes
-    any key, as in ``set={"materials.ice.friction": 0.1}``. ``effects="all"`` leaves nothing out. Without ``joints`` the
-    loads of joints, which cost a solve at each sample, are not computed.
+    any key, as in ``set={"materials.ice.friction": 0.1}``. ``error`` says how the error of the run is estimated
+    (:attr:`Run.error`): not at all (``"off"``), by runs beside it that are to add at most three tenths to its time
+    (``"quick"``), or at most three times its time (``"full"``); when absent as the scene says, or quick.
+    ``effects="all"`` leaves nothing out. Without ``joints`` the loads of joints, which cost a solve at each sample, are
+    not computed.
 
     With ``frames`` what pages and plots tell is kept as well, for a solve of the contact forces at each sample; when
     absent, in notebooks. Without it the first page or plot simulates the scene again. ``progress`` shows a bar of
@@ -69,7 +74,8 @@ def run(
     >>> float(run["ball"].position[-1, 2].round(9))    # m: g t - g t^2 / 2
     4.905
     """
-    loaded = load(scene, {"duration": duration, "tier": tier, "step": step, "interval": interval, "set": set})
+    changes = {"duration": duration, "tier": tier, "step": step, "interval": interval, "error": error, "set": set}
+    loaded = load(scene, changes)
     everything = all_effects(effects)
     chosen: Accuracy | None = None
     if accuracy is not None:
@@ -94,11 +100,13 @@ def _apart(loaded: _polhode.Loaded) -> float:
 class Track:
     """A body over the samples of a run. Arrays are views that cannot be written to."""
 
-    __slots__ = ("name", "_states")
+    __slots__ = ("name", "error", "_states")
 
-    def __init__(self, name: str, states: Array) -> None:
+    def __init__(self, name: str, states: Array, errors: Array | None = None) -> None:
         #: Name of the body.
         self.name = name
+        #: Its estimated errors; none where they are not estimated.
+        self.error = None if errors is None else TrackError(errors)
         self._states = states
 
     @property
@@ -265,7 +273,10 @@ class Run(Mapping[str, Track]):
     def __getitem__(self, body: str | Body) -> Track:
         names = self._recording.body_names
         number = _number("body", body, names)
-        return Track(names[number], self._recording.states()[:, number * _OF_BODY : (number + 1) * _OF_BODY])
+        errors = self._recording.errors()
+        if errors is not None:
+            errors = errors[:, number * OF_ERROR : (number + 1) * OF_ERROR]
+        return Track(names[number], self._recording.states()[:, number * _OF_BODY : (number + 1) * _OF_BODY], errors)
 
     def __iter__(self) -> Iterator[str]:
         return iter(self._recording.body_names)
@@ -331,14 +342,18 @@ class Run(Mapping[str, Track]):
         certificate: dict[str, Any] = json.loads(self._recording.certificate or "{}")
         return certificate
 
+    @cached_property
+    def error(self) -> RunError | None:
+        """Estimated error of the run; none where none is known, as with ``error="off"``. As a number it is the largest
+        one, relative to the size of its body; where an accuracy was asked for, that of :class:`polhode.Accuracy`."""
+        return of_report(self.report, None if self.accuracy is None else self.accuracy.error)
+
     @property
-    def error(self) -> float | None:
-        """Error of the run: as :class:`polhode.Accuracy` has it where an accuracy was asked for; else estimated,
-        relative to the size of a body, and none where the method has no estimate."""
-        if self.accuracy is not None:
-            return self.accuracy.error
-        error = self.certificate.get("estimated_error")
-        return None if error is None else float(error)
+    def horizon(self) -> float | None:
+        """When a difference of rounding at the start has grown to a hundredth of a body, s: what lies after it is one
+        of many outcomes. None where it has not, or that is not known."""
+        horizon: float | None = self.report.get("error", {}).get("horizon_s")
+        return horizon
 
     def check(self) -> None:
         """Raises :class:`polhode.NotKept` when the run has not kept what its method promises.

@@ -273,7 +273,7 @@ def free_name(word: str, taken: Collection[str | None]) -> str:
 def load(scene: SceneLike, changes: Mapping[str, Any]) -> _polhode.Loaded:
     """The scene, read by the library after some of its keys were changed; the keys are those of arguments and of a
     scene file."""
-    named = {"tier": "method.tier", "step": "method.step", "interval": "output.interval"}
+    named = {"tier": "method.tier", "step": "method.step", "error": "method.error", "interval": "output.interval"}
     settings: dict[str, Any] = dict(changes)
     own = settings.pop("set", None) or {}
     listed = [

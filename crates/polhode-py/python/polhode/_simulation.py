@@ -48,13 +48,14 @@ class Simulation(_polhode.Simulation):
         duration: float | None = None,
         tier: str | None = None,
         step: float | None = None,
+        error: str | None = None,
         set: Mapping[str, Any] | None = None,
         effects: str = "planned",
         keep_events: bool = False,
     ) -> Self:
         if effects not in ("planned", "all"):
             raise ValueError(f'effects={effects!r}: "planned" or "all" is needed')
-        loaded = load(scene, {"duration": duration, "tier": tier, "step": step, "set": set})
+        loaded = load(scene, {"duration": duration, "tier": tier, "step": step, "error": error, "set": set})
         made = super().__new__(cls, loaded, effects == "all", keep_events)
         made._loaded = loaded
         made._effects = effects

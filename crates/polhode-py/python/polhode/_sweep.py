@@ -253,7 +253,7 @@ def _row(work: _Work, run: int, changes: list[tuple[str, str, str]]) -> tuple[An
         done = run_one(loaded, effects=work.effects, joints=work.loads, frames=False, progress=False)
     except Exception as error:
         return run, "failed", float("nan"), nothing, _reason(error)
-    estimated = float("nan") if done.error is None else done.error
+    estimated = float("nan") if done.error is None else float(done.error)
     measured = []
     for name, measure in work.measures:
         try:

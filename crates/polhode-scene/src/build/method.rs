@@ -4,16 +4,16 @@ use super::fault::{Fault, positive};
 use crate::document::KeyPath;
 use crate::error::Refusal;
 use crate::format::{
-    BroadPhaseName, ContactName, CoordinatesName, CrowdingName, ImpactName, IntegratorName, MethodEntry,
-    OrientationName, PromiseEntry, PropagationOrderName, PulseExponentName, ResponseName, RestitutionLawName,
-    RotationRateName, TierName,
+    BroadPhaseName, ContactName, CoordinatesName, CrowdingName, ErrorEstimationName, ImpactName, IntegratorName,
+    MethodEntry, OrientationName, PromiseEntry, PropagationOrderName, PulseExponentName, ResponseName,
+    RestitutionLawName, RotationRateName, TierName,
 };
-use polhode::SceneError;
 use polhode::scene::{
     ContactMethod, Coordinates, Crowding, ImpactLaw, Method, Orientation, PromiseChanges, PropagationOrder,
     PulseExponent, Response, RestitutionLaw, RotationRate,
 };
 use polhode::tier::{IntegratorChoice, TierFeature};
+use polhode::{ErrorEstimation, SceneError};
 
 /// The method that the file asks for, with these limits.
 pub(super) fn build(entry: &MethodEntry, promise: &PromiseEntry) -> Result<Method, Fault> {
@@ -46,6 +46,7 @@ pub(super) fn build(entry: &MethodEntry, promise: &PromiseEntry) -> Result<Metho
         max_events_per_step: entry.max_events_per_step,
         crowding: entry.crowding.map(crowding),
         crowding_tolerance,
+        error: entry.error.map(error_estimation),
         penalty: entry.penalty.as_ref().map(super::penalty::build),
         promise: limits(promise),
     };
@@ -194,6 +195,14 @@ const fn coordinates(name: CoordinatesName) -> Coordinates {
     match name {
         CoordinatesName::Maximal => Coordinates::Maximal,
         CoordinatesName::Reduced => Coordinates::Reduced,
+    }
+}
+
+const fn error_estimation(name: ErrorEstimationName) -> ErrorEstimation {
+    match name {
+        ErrorEstimationName::Off => ErrorEstimation::Off,
+        ErrorEstimationName::Quick => ErrorEstimation::Quick,
+        ErrorEstimationName::Full => ErrorEstimation::Full,
     }
 }
 

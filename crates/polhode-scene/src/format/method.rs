@@ -59,6 +59,8 @@ pub struct MethodEntry {
     /// Error of a stretch of crowded events for each longest step, relative to the size of each body.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub crowding_tolerance: Option<f64>,
+    /// How the error of the run is estimated; quick when absent.
+    pub error: Option<ErrorEstimationName>,
     /// The springs of response = "penalty".
     pub penalty: Option<PenaltyEntry>,
 }
@@ -81,6 +83,18 @@ pub enum CrowdingName {
     Step,
     /// The run ends with an error.
     Error,
+}
+
+/// How the error of a run is estimated.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum ErrorEstimationName {
+    /// Not at all.
+    Off,
+    /// By runs beside the run that are to add at most three tenths to its time.
+    Quick,
+    /// By whole runs beside the run, which are to take at most three times its time.
+    Full,
 }
 
 /// How the integrator rk4 represents orientation.

@@ -64,8 +64,8 @@ pub use joint::{
     PointJointEntry, RodEntry, RopeEntry, ScrewEntry, SliderEntry, StrengthEntry, TrackJointEntry, UniversalJointEntry,
 };
 pub use method::{
-    ContactName, CoordinatesName, CrowdingName, ImpactName, MethodEntry, OrientationName, PropagationOrderName,
-    PulseExponentName, ResponseName, RestitutionLawName, RotationRateName,
+    ContactName, CoordinatesName, CrowdingName, ErrorEstimationName, ImpactName, MethodEntry, OrientationName,
+    PropagationOrderName, PulseExponentName, ResponseName, RestitutionLawName, RotationRateName,
 };
 pub use model::{BaseName, ModelEntry, UnphysicalName};
 pub use motion::{ConstantMotionEntry, InterpolationEntry, MotionEntry, SineMotionEntry, TableMotionEntry};

@@ -1,8 +1,8 @@
 //! Trajectories as CSV: one row per body and sample.
 
-use super::{Sink, TrajectoryFormat, cut_to_line, numbers};
+use super::{ErrorColumns, Sink, TrajectoryFormat, cut_to_line, numbers};
 use crate::csv::{write_field, write_number};
-use polhode::BodySample;
+use polhode::{BodyError, BodySample};
 use std::fs::File;
 use std::io::{self, Read as _, Seek as _, SeekFrom};
 
@@ -16,15 +16,16 @@ pub const COLUMNS: [&str; 15] =
 pub(super) struct Csv {
     /// Names of the bodies as fields.
     names: Vec<Vec<u8>>,
+    error_columns: ErrorColumns,
 }
 
 impl Csv {
-    pub(super) fn new(bodies: &[String]) -> io::Result<Self> {
+    pub(super) fn new(bodies: &[String], error_columns: ErrorColumns) -> io::Result<Self> {
         let names = bodies.iter().map(|body| {
             let mut field = Vec::new();
             write_field(&mut field, body).map(|()| field)
         });
-        Ok(Self { names: names.collect::<io::Result<_>>()? })
+        Ok(Self { names: names.collect::<io::Result<_>>()?, error_columns })
     }
 }
 
@@ -51,16 +52,29 @@ impl Csv {
 
 impl TrajectoryFormat for Csv {
     fn begin(&mut self, out: &mut dyn Sink) -> io::Result<()> {
-        writeln!(out, "{}", COLUMNS.join(","))
+        writeln!(out, "{}", [&COLUMNS, self.error_columns.names()].concat().join(","))
     }
 
-    fn sample(&mut self, out: &mut dyn Sink, t: f64, bodies: &[BodySample]) -> io::Result<()> {
+    fn sample(
+        &mut self,
+        out: &mut dyn Sink,
+        t: f64,
+        bodies: &[BodySample],
+        errors: Option<&[BodyError]>,
+    ) -> io::Result<()> {
         let time = format!("{t:?},");
-        for (name, body) in self.names.iter().zip(bodies) {
+        for (number, (name, body)) in self.names.iter().zip(bodies).enumerate() {
             out.write_all(time.as_bytes())?;
             out.write_all(name)?;
             for number in numbers(body) {
                 write_number(out, number)?;
+            }
+            for error in self.error_columns.numbers(errors, number) {
+                if error.is_nan() {
+                    out.write_all(b",")?;
+                } else {
+                    write_number(out, error)?;
+                }
             }
             out.write_all(b"\n")?;
         }

@@ -1,10 +1,10 @@
 //! Trajectories as JSON: one object with the bodies' names, the columns and the samples.
 //!
 //! `{"scene": .., "bodies": [name, ..], "columns": ["px", .., "wz"], "samples": [{"t": .., "states": [[13 numbers],
-//! ..]}, ..]}`
+//! ..]}, ..]}`; 15 numbers and columns up to `error_rad` where errors are estimated.
 
-use super::{COLUMNS, Sink, TrajectoryFormat, cut_to_line, numbers};
-use polhode::BodySample;
+use super::{COLUMNS, ErrorColumns, Sink, TrajectoryFormat, cut_to_line, numbers};
+use polhode::{BodyError, BodySample};
 use serde_json::json;
 use std::fs::File;
 use std::io::{self, Read as _, Seek as _, SeekFrom, Write as _};
@@ -14,23 +14,35 @@ use std::io::{self, Read as _, Seek as _, SeekFrom, Write as _};
 pub(super) struct Json {
     scene: String,
     bodies: Vec<String>,
+    error_columns: ErrorColumns,
     is_first: bool,
 }
 
 impl Json {
-    pub(super) fn new(scene: &str, bodies: &[String]) -> Self {
-        Self { scene: scene.to_owned(), bodies: bodies.to_vec(), is_first: true }
+    pub(super) fn new(scene: &str, bodies: &[String], error_columns: ErrorColumns) -> Self {
+        Self { scene: scene.to_owned(), bodies: bodies.to_vec(), error_columns, is_first: true }
     }
 }
 
 impl TrajectoryFormat for Json {
     fn begin(&mut self, out: &mut dyn Sink) -> io::Result<()> {
         let (scene, bodies) = (json!(self.scene), json!(self.bodies));
-        write!(out, "{{\"scene\":{scene},\n\"bodies\":{bodies},\n\"columns\":{},\n\"samples\":[", json!(COLUMNS[2..]))
+        let columns = json!([&COLUMNS[2..], self.error_columns.names()].concat());
+        write!(out, "{{\"scene\":{scene},\n\"bodies\":{bodies},\n\"columns\":{columns},\n\"samples\":[")
     }
 
-    fn sample(&mut self, out: &mut dyn Sink, t: f64, bodies: &[BodySample]) -> io::Result<()> {
-        let states: Vec<_> = bodies.iter().map(numbers).collect();
+    fn sample(
+        &mut self,
+        out: &mut dyn Sink,
+        t: f64,
+        bodies: &[BodySample],
+        errors: Option<&[BodyError]>,
+    ) -> io::Result<()> {
+        // JSON has null for what is not a number: an error that is not known.
+        let row = |(number, body)| -> Vec<f64> {
+            numbers(body).into_iter().chain(self.error_columns.numbers(errors, number)).collect()
+        };
+        let states: Vec<Vec<f64>> = bodies.iter().enumerate().map(row).collect();
         let comma = if std::mem::take(&mut self.is_first) { "" } else { "," };
         write!(out, "{comma}\n{{\"t\":{},\"states\":{}}}", json!(t), json!(states))
     }

@@ -10,6 +10,8 @@
 //! | `atomic_file` | a file that appears when it is complete |
 //! | `csv`, `npy`, `json` | the kinds of trajectory |
 //! | `csv_stream` | a trajectory as CSV to any writer |
+//! | `error_columns` | the columns of the estimated errors |
+//! | `held_back` | samples whose errors are not known yet |
 //! | `events` | events as CSV |
 //! | `joints` | coordinates, loads and powers of joints as CSV |
 //! | `outputs` | [`Outputs`]: the observer |
@@ -17,7 +19,9 @@
 pub mod atomic_file;
 mod csv;
 mod csv_stream;
+mod error_columns;
 mod events;
+mod held_back;
 mod joints;
 mod json;
 mod npy;
@@ -26,12 +30,14 @@ mod outputs;
 pub use atomic_file::{AtomicFile, LeftBehind, Unfinished};
 pub use csv::COLUMNS;
 pub use csv_stream::CsvStream;
+pub use error_columns::ERROR_COLUMNS;
+pub(crate) use error_columns::ErrorColumns;
 pub use events::EVENT_COLUMNS;
 pub use joints::JOINT_COLUMNS;
-pub use npy::{NPY_WIDTH, npy_row};
+pub use npy::{NPY_WIDTH, NPY_WIDTH_WITH_ERRORS, npy_row};
 pub use outputs::{OutputError, Outputs};
 
-use polhode::BodySample;
+use polhode::{BodyError, BodySample};
 use std::fs::File;
 use std::io::{self, Read, Seek, SeekFrom, Write};
 
@@ -45,8 +51,14 @@ pub(crate) trait TrajectoryFormat: std::fmt::Debug + Send {
     /// Writes what stands before the first sample.
     fn begin(&mut self, out: &mut dyn Sink) -> io::Result<()>;
 
-    /// Writes all bodies at time `t` (s), in the order of the scene.
-    fn sample(&mut self, out: &mut dyn Sink, t: f64, bodies: &[BodySample]) -> io::Result<()>;
+    /// Writes all bodies at time `t` (s), in the order of the scene, with their errors where the file has them.
+    fn sample(
+        &mut self,
+        out: &mut dyn Sink,
+        t: f64,
+        bodies: &[BodySample],
+        errors: Option<&[BodyError]>,
+    ) -> io::Result<()>;
 
     /// Writes what stands after the last sample; what has been written is then a complete file.
     fn end(&mut self, out: &mut dyn Sink) -> io::Result<()>;

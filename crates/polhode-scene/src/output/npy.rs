@@ -1,17 +1,21 @@
-//! Trajectories as NPY: an array of doubles of shape (samples, bodies, 14).
+//! Trajectories as NPY: an array of doubles of shape (samples, bodies, 16), or (samples, bodies, 14).
 //!
-//! The last axis is `t` and the numbers of the CSV columns `px` to `wz`; bodies are in the order of the scene. Format
+//! The last axis is `t`, the numbers of the CSV columns `px` to `wz`, and where they are estimated the errors `error_m`
+//! and `error_rad`, which are not a number (NaN) where they are not known; bodies are in the order of the scene. Format
 //! version 1.0 (docs/REFERENCES.md, NumPy enhancement proposal 1): a magic word, the length of the header, a Python
 //! dictionary padded with spaces, little-endian data. The number of samples is not known before the end of a run, so
 //! the header is written at the start with room to spare and again at the end.
 
-use super::{Sink, TrajectoryFormat, numbers};
-use polhode::BodySample;
+use super::{ERROR_COLUMNS, ErrorColumns, Sink, TrajectoryFormat, numbers};
+use polhode::{BodyError, BodySample};
 use std::fs::File;
 use std::io::{self, Seek as _, SeekFrom, Write as _};
 
-/// Length of the last axis.
+/// Length of the last axis without errors.
 pub const NPY_WIDTH: usize = 14;
+
+/// Length of the last axis with errors.
+pub const NPY_WIDTH_WITH_ERRORS: usize = NPY_WIDTH + ERROR_COLUMNS.len();
 
 /// Length of everything before the data, bytes: a multiple of 64 with room for the largest numbers.
 const HEADER_LENGTH: usize = 192;
@@ -23,16 +27,22 @@ const PREFIX_LENGTH: usize = 10;
 #[derive(Debug, Clone)]
 pub(super) struct Npy {
     bodies: usize,
+    error_columns: ErrorColumns,
     samples: u64,
 }
 
 impl Npy {
-    pub(super) fn new(bodies: usize) -> Self {
-        Self { bodies, samples: 0 }
+    pub(super) fn new(bodies: usize, error_columns: ErrorColumns) -> Self {
+        Self { bodies, error_columns, samples: 0 }
+    }
+
+    /// Length of the last axis.
+    fn width(&self) -> usize {
+        NPY_WIDTH + self.error_columns.names().len()
     }
 
     fn header(&self) -> Vec<u8> {
-        let shape = format!("({}, {}, {NPY_WIDTH})", self.samples, self.bodies);
+        let shape = format!("({}, {}, {})", self.samples, self.bodies, self.width());
         let dictionary = format!("{{'descr': '<f8', 'fortran_order': False, 'shape': {shape}, }}");
         let length = HEADER_LENGTH - PREFIX_LENGTH;
         let mut header = b"\x93NUMPY\x01\x00".to_vec();
@@ -43,7 +53,7 @@ impl Npy {
     }
 }
 
-/// One row of the last axis: `t` (s) and the numbers of a body.
+/// One row of the last axis without errors: `t` (s) and the numbers of a body.
 pub fn npy_row(t: f64, body: &BodySample) -> [f64; NPY_WIDTH] {
     let mut row = [t; NPY_WIDTH];
     row[1..].copy_from_slice(&numbers(body));
@@ -55,9 +65,15 @@ impl TrajectoryFormat for Npy {
         out.write_all(&self.header())
     }
 
-    fn sample(&mut self, out: &mut dyn Sink, t: f64, bodies: &[BodySample]) -> io::Result<()> {
-        for body in bodies {
-            for number in npy_row(t, body) {
+    fn sample(
+        &mut self,
+        out: &mut dyn Sink,
+        t: f64,
+        bodies: &[BodySample],
+        errors: Option<&[BodyError]>,
+    ) -> io::Result<()> {
+        for (place, body) in bodies.iter().enumerate() {
+            for number in npy_row(t, body).into_iter().chain(self.error_columns.numbers(errors, place)) {
                 out.write_all(&number.to_le_bytes())?;
             }
         }
@@ -72,7 +88,7 @@ impl TrajectoryFormat for Npy {
     }
 
     fn mend(&mut self, file: &mut File) -> io::Result<()> {
-        let sample = (self.bodies * NPY_WIDTH * size_of::<f64>()).max(1) as u64;
+        let sample = (self.bodies * self.width() * size_of::<f64>()).max(1) as u64;
         let data = file.seek(SeekFrom::End(0))?.saturating_sub(HEADER_LENGTH as u64);
         self.samples = self.samples.min(data / sample);
         file.set_len(HEADER_LENGTH as u64 + self.samples * sample)?;

@@ -2,10 +2,11 @@
 
 use super::atomic_file::{AtomicFile, LeftBehind, Unfinished};
 use super::csv::Csv;
+use super::held_back::{HeldBack, Told};
 use super::json::Json;
 use super::npy::Npy;
-use super::{TrajectoryFormat, cut_to_line, events, joints};
-use polhode::{BodySample, Event, Flow, JointSample, Observer, Scene};
+use super::{ErrorColumns, TrajectoryFormat, cut_to_line, events, joints};
+use polhode::{BodyError, BodySample, Event, Flow, JointSample, Observer, Scene};
 use std::fs::File;
 use std::io::{self, Cursor, Write as _};
 use std::path::{Path, PathBuf};
@@ -95,6 +96,8 @@ pub struct Outputs {
     events: Option<AtomicFile>,
     /// The file of joints, and their names.
     joints: Option<(AtomicFile, Vec<String>)>,
+    /// What waits for the errors of a sample; none where errors are not written.
+    held: Option<HeldBack>,
     fault: Option<OutputError>,
 }
 
@@ -105,6 +108,30 @@ impl Outputs {
     /// When an ending is unknown or that of events is another than `.csv`, a name is given twice or a file cannot be
     /// opened.
     pub fn create(scene: &Scene, trajectories: &[PathBuf], events: Option<&Path>) -> Result<Self, OutputError> {
+        Self::create_with(ErrorColumns::Absent, scene, trajectories, events)
+    }
+
+    /// The same of a trajectory with the estimated errors of the bodies. A sample is written when its errors are known.
+    ///
+    /// # Errors
+    /// See [`Outputs::create`].
+    pub fn create_with_errors(
+        scene: &Scene,
+        trajectories: &[PathBuf],
+        events: Option<&Path>,
+    ) -> Result<Self, OutputError> {
+        let outputs = Self::create_with(ErrorColumns::Written, scene, trajectories, events)?;
+        // Events and joints alone wait for nothing.
+        let held = (!trajectories.is_empty()).then(HeldBack::default);
+        Ok(Self { held, ..outputs })
+    }
+
+    fn create_with(
+        error_columns: ErrorColumns,
+        scene: &Scene,
+        trajectories: &[PathBuf],
+        events: Option<&Path>,
+    ) -> Result<Self, OutputError> {
         let bodies: Vec<String> = scene.bodies().iter().map(|body| body.name().to_owned()).collect();
         let mut all: Vec<&Path> = trajectories.iter().map(PathBuf::as_path).chain(events).collect();
         all.sort();
@@ -116,9 +143,10 @@ impl Outputs {
         }
         let mut formats = Vec::with_capacity(trajectories.len());
         for path in trajectories {
-            formats.push(format_of(path, scene.name(), &bodies)?);
+            formats.push(format_of(path, scene.name(), &bodies, error_columns)?);
         }
-        let mut outputs = Self { bodies, trajectories: Vec::new(), events: None, joints: None, fault: None };
+        let mut outputs =
+            Self { bodies, trajectories: Vec::new(), events: None, joints: None, held: None, fault: None };
         for (path, mut format) in trajectories.iter().zip(formats) {
             let mut mender = format.mender();
             let file = AtomicFile::create_mending(path, |open| {
@@ -245,6 +273,8 @@ impl Outputs {
     }
 
     fn end(&mut self) -> Result<(), OutputError> {
+        self.release(f64::INFINITY, None);
+        self.fault.take().map_or(Ok(()), Err)?;
         for (file, format) in &mut self.trajectories {
             format.end(file).map_err(|source| fault(file.target(), source))?;
         }
@@ -257,20 +287,20 @@ impl Outputs {
     }
 }
 
-impl Observer for Outputs {
-    fn sample(&mut self, t: f64, bodies: &[BodySample]) {
+impl Outputs {
+    fn write_sample(&mut self, t: f64, bodies: &[BodySample], errors: Option<&[BodyError]>) {
         if self.fault.is_some() {
             return;
         }
         for (file, format) in &mut self.trajectories {
-            if let Err(source) = format.sample(file, t, bodies) {
+            if let Err(source) = format.sample(file, t, bodies, errors) {
                 self.fault = Some(fault(file.target(), source));
                 return;
             }
         }
     }
 
-    fn event(&mut self, event: &Event) {
+    fn write_event(&mut self, event: &Event) {
         if self.fault.is_some() {
             return;
         }
@@ -281,11 +311,7 @@ impl Observer for Outputs {
         }
     }
 
-    fn wants_joints(&self) -> bool {
-        self.joints.is_some()
-    }
-
-    fn joints(&mut self, t_s: f64, joints: &[JointSample]) {
+    fn write_joints(&mut self, t_s: f64, joints: &[JointSample]) {
         if self.fault.is_some() {
             return;
         }
@@ -294,6 +320,58 @@ impl Observer for Outputs {
         {
             self.fault = Some(fault(file.target(), source));
         }
+    }
+
+    /// Writes what was told until the sample at `t` (s), which has these errors.
+    fn release(&mut self, t: f64, errors: Option<&[BodyError]>) {
+        while let Some(told) = self.held.as_mut().and_then(|held| held.pop_until(t)) {
+            match told {
+                Told::Sample(sample_s, bodies) => {
+                    self.write_sample(sample_s, &bodies, errors.filter(|_| sample_s == t));
+                }
+                Told::Event(event) => self.write_event(&event),
+                Told::Joints(t_s, joints) => self.write_joints(t_s, &joints),
+            }
+        }
+    }
+}
+
+impl Observer for Outputs {
+    fn sample(&mut self, t: f64, bodies: &[BodySample]) {
+        let Some(held) = &mut self.held else {
+            self.write_sample(t, bodies, None);
+            return;
+        };
+        held.push(Told::Sample(t, bodies.to_vec()));
+        while let Some(first_s) = self.held.as_ref().and_then(HeldBack::overdue_s) {
+            self.release(first_s, None);
+        }
+    }
+
+    fn event(&mut self, event: &Event) {
+        match &mut self.held {
+            Some(held) => held.push(Told::Event(*event)),
+            None => self.write_event(event),
+        }
+    }
+
+    fn wants_joints(&self) -> bool {
+        self.joints.is_some()
+    }
+
+    fn joints(&mut self, t_s: f64, joints: &[JointSample]) {
+        match &mut self.held {
+            Some(held) => held.push(Told::Joints(t_s, joints.to_vec())),
+            None => self.write_joints(t_s, joints),
+        }
+    }
+
+    fn wants_errors(&self) -> bool {
+        self.held.is_some()
+    }
+
+    fn errors(&mut self, t_s: f64, errors: Option<&[BodyError]>) {
+        self.release(t_s, errors);
     }
 
     fn progress(&mut self, _t: f64) -> Flow {
@@ -310,12 +388,17 @@ fn fault(path: &Path, source: io::Error) -> OutputError {
 }
 
 /// The kind of trajectory that the ending of a name says.
-fn format_of(path: &Path, scene: &str, bodies: &[String]) -> Result<Box<dyn TrajectoryFormat>, OutputError> {
+fn format_of(
+    path: &Path,
+    scene: &str,
+    bodies: &[String],
+    errors: ErrorColumns,
+) -> Result<Box<dyn TrajectoryFormat>, OutputError> {
     let ending = path.extension().map(|ending| ending.to_string_lossy().to_ascii_lowercase());
     match ending.as_deref() {
-        Some("csv") => Ok(Box::new(Csv::new(bodies).map_err(|source| fault(path, source))?)),
-        Some("npy") => Ok(Box::new(Npy::new(bodies.len()))),
-        Some("json") => Ok(Box::new(Json::new(scene, bodies))),
+        Some("csv") => Ok(Box::new(Csv::new(bodies, errors).map_err(|source| fault(path, source))?)),
+        Some("npy") => Ok(Box::new(Npy::new(bodies.len(), errors))),
+        Some("json") => Ok(Box::new(Json::new(scene, bodies, errors))),
         _ => Err(OutputError::Ending { path: path.to_owned() }),
     }
 }

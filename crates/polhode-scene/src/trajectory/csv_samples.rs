@@ -29,7 +29,7 @@ impl CsvSamples {
         let time = first.key[0].clone();
         let t: f64 = time.parse().map_err(|_| self.wrong(format!("`{time}` in column t is not a number")))?;
         let t = expected.time(t).map_err(|reason| self.wrong(reason))?;
-        let mut bodies = vec![None; expected.count()];
+        let (mut bodies, mut errors) = (vec![None; expected.count()], vec![None; expected.count()]);
         let mut found = 0;
         let mut row = Some(first);
         while let Some(present) = row {
@@ -41,6 +41,7 @@ impl CsvSamples {
             if bodies[number].is_some() {
                 return Err(self.wrong(format!("body `{}` stands twice at t = {time} s", present.key[1])));
             }
+            errors[number] = present.error;
             bodies[number] = Some(expected.state(number, present.numbers).map_err(|reason| self.wrong(reason))?);
             found += 1;
             row = match self.rows.next() {
@@ -64,7 +65,8 @@ impl CsvSamples {
                 self.wrong(format!("the last line has no end, so that its last number may lack digits: {CUT_OFF}"))
             );
         }
-        Ok(Some((t, bodies.into_iter().flatten().collect())))
+        let (bodies, errors) = (bodies.into_iter().flatten().collect(), errors.into_iter().collect());
+        Ok(Some(Sample { t_s: t, bodies, errors }))
     }
 
     fn wrong(&self, reason: String) -> TrajectoryError {

@@ -4,7 +4,7 @@ use crate::output::COLUMNS;
 use crate::trajectory_rows::{FIRST_NUMBER, NUMBERS};
 use glam::DVec3;
 use polhode::spatial::{Pose, Rotation, Velocity};
-use polhode::{BodySample, Scene};
+use polhode::{BodyError, BodySample, Scene};
 use std::collections::BTreeMap;
 
 /// Names that an error lists at the most.
@@ -79,8 +79,16 @@ impl Expected {
     }
 }
 
-/// A sample: its time (s), and all bodies in the order of the scene.
-pub(super) type Sample = (f64, Vec<BodySample>);
+/// A sample.
+#[derive(Debug)]
+pub(super) struct Sample {
+    /// When it was taken, s.
+    pub(super) t_s: f64,
+    /// All bodies in the order of the scene.
+    pub(super) bodies: Vec<BodySample>,
+    /// Their estimated errors; none where one of them is not known.
+    pub(super) errors: Option<Vec<BodyError>>,
+}
 
 /// What an error says of a file that ends too early.
 pub(super) const CUT_OFF: &str = "the file is cut off: write it again";

@@ -7,8 +7,8 @@
 use super::counted_bytes::CountedBytes;
 use super::error::TrajectoryError;
 use super::expected::{CUT_OFF, Expected, Sample};
-use crate::output::COLUMNS;
-use crate::trajectory_rows::{FIRST_NUMBER, NUMBERS};
+use crate::output::{COLUMNS, ERROR_COLUMNS, ErrorColumns};
+use crate::trajectory_rows::{FIRST_NUMBER, NUMBERS, error_of};
 use serde::Deserialize;
 use serde::de::{DeserializeOwned, IgnoredAny};
 use std::fs::File;
@@ -19,7 +19,7 @@ use std::path::{Path, PathBuf};
 #[derive(Debug, Deserialize)]
 struct WrittenSample {
     t: Option<f64>,
-    states: Vec<[Option<f64>; NUMBERS]>,
+    states: Vec<Vec<Option<f64>>>,
 }
 
 /// The samples of a JSON file.
@@ -29,6 +29,7 @@ pub(super) struct JsonSamples {
     bytes: CountedBytes<BufReader<File>>,
     /// Numbers of the bodies in the order of the file.
     bodies: Vec<usize>,
+    error_columns: ErrorColumns,
     is_first: bool,
     has_ended: bool,
 }
@@ -37,7 +38,8 @@ impl JsonSamples {
     pub(super) fn open(path: &Path, expected: &Expected) -> Result<Self, TrajectoryError> {
         let file = File::open(path).map_err(|source| TrajectoryError::Read { path: path.to_owned(), source })?;
         let bytes = CountedBytes::new(BufReader::new(file));
-        let mut samples = Self { path: path.to_owned(), bytes, bodies: Vec::new(), is_first: true, has_ended: false };
+        let (path, bodies, error_columns) = (path.to_owned(), Vec::new(), ErrorColumns::Absent);
+        let mut samples = Self { path, bytes, bodies, error_columns, is_first: true, has_ended: false };
         samples.read_head(expected)?;
         Ok(samples)
     }
@@ -57,10 +59,13 @@ impl JsonSamples {
             }
             self.take(b',')?;
         }
-        if columns.as_deref().is_none_or(|columns| columns != &COLUMNS[FIRST_NUMBER..]) {
-            let list = COLUMNS[FIRST_NUMBER..].join(", ");
-            return Err(self.wrong(format!("`columns` must stand before `samples` and be {list}")));
-        }
+        let columns = columns.unwrap_or_default();
+        let is_as = |own: &ErrorColumns| columns == [&COLUMNS[FIRST_NUMBER..], own.names()].concat();
+        let Some(error_columns) = [ErrorColumns::Absent, ErrorColumns::Written].into_iter().find(is_as) else {
+            let (list, more) = (COLUMNS[FIRST_NUMBER..].join(", "), ERROR_COLUMNS.join(", "));
+            return Err(self.wrong(format!("`columns` must stand before `samples` and be {list}, or that and {more}")));
+        };
+        self.error_columns = error_columns;
         let bodies = bodies.ok_or_else(|| self.wrong("`bodies` must stand before `samples`".to_owned()))?;
         for name in &bodies {
             let number = expected.body(name).map_err(|reason| self.wrong(reason))?;
@@ -98,12 +103,20 @@ impl JsonSamples {
             let (found, needed) = (written.states.len(), self.bodies.len());
             return Err(self.wrong(format!("t = {t:?} s has {found} of {needed} bodies")));
         }
-        let mut states = vec![None; self.bodies.len()];
-        for (&number, numbers) in self.bodies.iter().zip(written.states) {
-            let numbers = numbers.map(|number| number.unwrap_or(f64::NAN));
-            states[number] = Some(expected.state(number, numbers).map_err(|reason| self.wrong(reason))?);
+        let (mut states, mut errors) = (vec![None; self.bodies.len()], vec![None; self.bodies.len()]);
+        for (&number, row) in self.bodies.iter().zip(written.states) {
+            let row: Vec<f64> = row.into_iter().map(|number| number.unwrap_or(f64::NAN)).collect();
+            let needed = NUMBERS + self.error_columns.names().len();
+            let Some((numbers, error)) = row.split_first_chunk().filter(|_| row.len() == needed) else {
+                let name = expected.name(number);
+                return Err(self.wrong(format!("body `{name}` has {} of {needed} numbers", row.len())));
+            };
+            let error = error.first_chunk().copied().map_or(Ok(None), error_of);
+            errors[number] = error.map_err(|reason| self.wrong(reason))?;
+            states[number] = Some(expected.state(number, *numbers).map_err(|reason| self.wrong(reason))?);
         }
-        Ok(Some((t, states.into_iter().flatten().collect())))
+        let (bodies, errors) = (states.into_iter().flatten().collect(), errors.into_iter().collect());
+        Ok(Some(Sample { t_s: t, bodies, errors }))
     }
 
     /// The next byte that is no space.

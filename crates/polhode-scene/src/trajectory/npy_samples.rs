@@ -1,12 +1,13 @@
-//! The samples of an NPY file: doubles of shape (samples, bodies, 14), bodies in the order of the scene.
+//! The samples of an NPY file: doubles of shape (samples, bodies, 14), or 16 with errors, bodies in the order of the
+//! scene.
 //!
 //! Format versions 1 to 3 (docs/REFERENCES.md, NumPy enhancement proposal 1). The file bears no names, so that all that
 //! can be held against the scene is the number of bodies.
 
 use super::error::{FilePlace, TrajectoryError};
 use super::expected::{CUT_OFF, Expected, Sample};
-use crate::output::NPY_WIDTH;
-use crate::trajectory_rows::NUMBERS;
+use crate::output::{ERROR_COLUMNS, ErrorColumns, NPY_WIDTH, NPY_WIDTH_WITH_ERRORS};
+use crate::trajectory_rows::{NUMBERS, error_of};
 use std::fs::File;
 use std::io::{self, BufReader, Read};
 use std::path::{Path, PathBuf};
@@ -23,6 +24,7 @@ const LONGEST_HEADER: u32 = 65_535;
 pub(super) struct NpySamples {
     path: PathBuf,
     input: BufReader<File>,
+    error_columns: ErrorColumns,
     /// Bytes read.
     byte: u64,
     /// Samples that are left.
@@ -36,11 +38,16 @@ impl NpySamples {
         let cannot_read = |source| TrajectoryError::Read { path: path.to_owned(), source };
         let file = File::open(path).map_err(cannot_read)?;
         let length = file.metadata().map_err(cannot_read)?.len();
-        let mut samples = Self { path: path.to_owned(), input: BufReader::new(file), byte: 0, left: 0, cut_off: None };
+        let (path, input, error_columns) = (path.to_owned(), BufReader::new(file), ErrorColumns::Absent);
+        let mut samples = Self { path, input, error_columns, byte: 0, left: 0, cut_off: None };
         let header = samples.header()?;
         let [count, bodies, width] = shape(&header).map_err(|reason| samples.wrong(reason))?;
-        if bodies != expected.count() as u64 || width != NPY_WIDTH as u64 {
-            let needed = format!("(samples, {}, {NPY_WIDTH})", expected.count());
+        if width == NPY_WIDTH_WITH_ERRORS as u64 {
+            samples.error_columns = ErrorColumns::Written;
+        }
+        let is_trajectory = samples.error_columns == ErrorColumns::Written || width == NPY_WIDTH as u64;
+        if bodies != expected.count() as u64 || !is_trajectory {
+            let needed = format!("(samples, {}, {NPY_WIDTH} or {NPY_WIDTH_WITH_ERRORS})", expected.count());
             let what = format!("its shape is ({count}, {bodies}, {width}), and the scene's is {needed}");
             return Err(samples.wrong(format!("{what}: is it another scene's?")));
         }
@@ -98,7 +105,7 @@ impl NpySamples {
         }
         self.left -= 1;
         let mut time = None;
-        let mut states = Vec::with_capacity(expected.count());
+        let (mut bodies, mut errors) = (Vec::with_capacity(expected.count()), Vec::with_capacity(expected.count()));
         for number in 0..expected.count() {
             let t = f64::from_le_bytes(self.bytes()?);
             match time {
@@ -113,9 +120,14 @@ impl NpySamples {
             for number in &mut numbers {
                 *number = f64::from_le_bytes(self.bytes()?);
             }
-            states.push(expected.state(number, numbers).map_err(|reason| self.wrong(reason))?);
+            bodies.push(expected.state(number, numbers).map_err(|reason| self.wrong(reason))?);
+            let mut error = [f64::NAN; ERROR_COLUMNS.len()];
+            for number in error.iter_mut().take(self.error_columns.names().len()) {
+                *number = f64::from_le_bytes(self.bytes()?);
+            }
+            errors.push(error_of(error).map_err(|reason| self.wrong(reason))?);
         }
-        Ok(Some((time.unwrap_or_default(), states)))
+        Ok(Some(Sample { t_s: time.unwrap_or_default(), bodies, errors: errors.into_iter().collect() }))
     }
 
     fn bytes<const N: usize>(&mut self) -> Result<[u8; N], TrajectoryError> {

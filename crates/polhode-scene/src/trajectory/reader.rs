@@ -5,7 +5,7 @@ use super::error::TrajectoryError;
 use super::expected::Expected;
 use super::json_samples::JsonSamples;
 use super::npy_samples::NpySamples;
-use polhode::{BodySample, Scene};
+use polhode::{BodyError, BodySample, Scene};
 use std::path::Path;
 
 /// Kinds of trajectory file.
@@ -53,6 +53,8 @@ pub struct TrajectoryReader {
     expected: Expected,
     /// Whether a sample has been read.
     has_begun: bool,
+    /// The errors of the last sample read.
+    errors: Option<Vec<BodyError>>,
     cut_off: Option<TrajectoryError>,
 }
 
@@ -68,7 +70,7 @@ impl TrajectoryReader {
             Kind::Json => Samples::Json(JsonSamples::open(path, &expected)?),
             Kind::Npy => Samples::Npy(NpySamples::open(path, &expected)?),
         };
-        Ok(Self { samples, expected, has_begun: false, cut_off: None })
+        Ok(Self { samples, expected, has_begun: false, errors: None, cut_off: None })
     }
 
     /// The next sample: its time (s) and all bodies in the order of the scene; nothing at the end. A file that is cut
@@ -93,9 +95,17 @@ impl TrajectoryReader {
             }
             next => {
                 self.has_begun = true;
-                next
+                let next = next?;
+                self.errors = next.as_ref().and_then(|sample| sample.errors.clone());
+                Ok(next.map(|sample| (sample.t_s, sample.bodies)))
             }
         }
+    }
+
+    /// The estimated errors of the bodies of the sample that was read last, in the order of the scene; none where the
+    /// file has none, or one of them is not known.
+    pub fn errors(&self) -> Option<&[BodyError]> {
+        self.errors.as_deref()
     }
 
     /// Where and how the file is cut off, once its last whole sample has been read.

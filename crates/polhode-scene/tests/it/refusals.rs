@@ -1,6 +1,7 @@
 //! Every mistake is refused with its place, its key, and what is accepted.
 
 use crate::{BASE, check, refused};
+use polhode::{ErrorEstimation, Simulation};
 use polhode_scene::{Refusal, SceneFileError, load, load_text};
 use std::time::{Duration, Instant};
 
@@ -557,5 +558,21 @@ fn restitution_by_speed() {
     ] {
         let refused = refused(&with(lines));
         assert_eq!(refused.place.key, key, "{refused}");
+    }
+}
+
+/// A scene says how the error of its run is estimated; another word is refused with the three that are accepted.
+#[test]
+fn estimations_of_the_error() {
+    for estimation in ErrorEstimation::ALL {
+        let text = BASE.replace("name = \"base\"", &format!("method.error = \"{}\"", estimation.name()));
+        assert_eq!(crate::scene(&text).method().error, Some(estimation));
+        assert_eq!(Simulation::new(&crate::scene(&text)).unwrap().error_estimation(), estimation);
+    }
+    assert_eq!(Simulation::new(&crate::scene(BASE)).unwrap().error_estimation(), ErrorEstimation::Quick);
+    let refused = refused(&BASE.replace("name = \"base\"", "method.error = \"best\""));
+    assert_eq!(refused.place.key, "method.error");
+    for part in ["best", "off", "quick", "full"] {
+        assert!(refused.to_string().contains(part), "{refused}");
     }
 }

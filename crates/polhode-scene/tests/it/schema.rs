@@ -54,7 +54,7 @@ fn lists_what_is_accepted() {
         tangent reach ends free stops straight gears breaks_at moment ratio coordinates rate values distance \
         tangential_restitution arrays layout grid pyramid wall drop counts spacing base length height turn count seed \
         stronge poisson newton whittaker chatterjee-ruina penalty hertz hunt-crossley plain mindlin regularised \
-        penetration_m stiffness_n_m slip_speed_m_s youngs_modulus_pa poisson_ratio";
+        off quick full penetration_m stiffness_n_m slip_speed_m_s youngs_modulus_pa poisson_ratio";
     let integrators = Integrator::ALL.map(Integrator::name);
     for word in accepted.split_whitespace().chain(integrators) {
         assert!(words.iter().any(|known| known == word), "{word} is missing");

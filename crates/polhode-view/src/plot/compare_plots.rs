@@ -7,15 +7,18 @@
 //! | velocity | length of the difference of velocities of the centres of mass, m/s |
 //! | energy | of kinetic energy and that of gravity, all bodies together, J; it needs the masses of a scene |
 //!
+//! Where the trajectories have the estimated errors of their samples, a band around a curve of positions or attitudes
+//! reaches as far as both errors together: where it reaches the foot, the difference says nothing.
+//!
 //! Axes are logarithmic; what does not differ is at their foot. The energies of springs and other forces are not in it,
 //! for they are no matter of poses and velocities alone.
 
 use super::axes;
 use super::ink::Ink;
-use super::time_chart::{AxisKind, Course, Line, Panel, Stop, TimeChart};
+use super::time_chart::{AxisKind, Band, Course, Line, Panel, Stop, TimeChart};
 use super::trace::Trace;
 use polhode::spatial::DVec3;
-use polhode::{BodySample, Scene};
+use polhode::{BodyError, BodySample, Scene};
 use std::collections::BTreeMap;
 
 /// Bodies up to which each has its line; of more only the largest difference is drawn.
@@ -51,10 +54,15 @@ impl ComparePlot {
 /// Quantities that every body has, in the order of [`ComparePlot::ALL`].
 const OF_BODIES: usize = 3;
 
+/// The first of them, which have errors.
+const OF_ERRORS: usize = 2;
+
 /// Differences of a body, and the largest of all bodies at the present time.
 #[derive(Debug, Clone, Default)]
 struct Differences {
     traces: [Trace; OF_BODIES],
+    /// Of positions and attitudes; empty where errors are not known.
+    bands: [Band; OF_ERRORS],
 }
 
 /// Keeps what is plotted of two trajectories.
@@ -95,8 +103,9 @@ impl ComparePlots {
         }
     }
 
-    /// Adds a body at a time (s) of both trajectories; bodies of one time follow each other.
-    pub fn push(&mut self, t_s: f64, body: &str, [a, b]: [&BodySample; 2]) {
+    /// Adds a body at a time (s) of both trajectories, with its estimated errors where both are known; bodies of one
+    /// time follow each other.
+    pub fn push(&mut self, t_s: f64, body: &str, [a, b]: [&BodySample; 2], errors: Option<[BodyError; 2]>) {
         if self.present.as_ref().is_some_and(|present| present.t_s.to_bits() != t_s.to_bits()) {
             self.end_sample();
         }
@@ -129,6 +138,12 @@ impl ComparePlots {
             for (trace, difference) in own.traces.iter_mut().zip(differences) {
                 trace.push(t_s, difference);
             }
+            let Some([a, b]) = errors else { return };
+            let sums = [a.position_m + b.position_m, a.rotation_rad + b.rotation_rad];
+            for (band, (difference, error)) in own.bands.iter_mut().zip(differences.into_iter().zip(sums)) {
+                band.low.push(t_s, (difference - error).max(0.0));
+                band.high.push(t_s, difference + error);
+            }
         }
     }
 
@@ -153,18 +168,35 @@ impl ComparePlots {
 
     fn panel(&self, plot: ComparePlot) -> Panel {
         let [title, unit] = plot.title();
-        let (lines, note) = match plot {
-            ComparePlot::Positions => (self.lines(0, unit), String::new()),
-            ComparePlot::Attitudes => (self.lines(1, unit), String::new()),
-            ComparePlot::Velocities => (self.lines(2, unit), String::new()),
+        let with_bands = |number: usize| {
+            let bands: Vec<Band> = self.bands(number);
+            let note = if bands.is_empty() { "" } else { "bands: as far as the estimated errors of both reach" };
+            (self.lines(number, unit), note.to_owned(), bands)
+        };
+        let (lines, note, bands) = match plot {
+            ComparePlot::Positions => with_bands(0),
+            ComparePlot::Attitudes => with_bands(1),
+            ComparePlot::Velocities => (self.lines(2, unit), String::new(), Vec::new()),
             ComparePlot::Energy => {
                 let label = labelled("all bodies", &self.energy, unit);
                 let line = Line { label, ink: Ink::Blue, course: Course::Straight, trace: self.energy.clone() };
                 let note = "kinetic energy and that of gravity; magnitude, the label has the last value".to_owned();
-                (vec![line], note)
+                (vec![line], note, Vec::new())
             }
         };
-        Panel { title: title.to_owned(), note, axis: AxisKind::Logarithmic, lines }
+        Panel { title: title.to_owned(), note, axis: AxisKind::Logarithmic, lines, bands }
+    }
+
+    /// The bodies that each have a line.
+    fn differing(&self, number: usize) -> Vec<&(String, Differences)> {
+        let differ = |(_, own): &&(String, Differences)| own.traces[number].is_anything();
+        if self.count > MOST_LINES { Vec::new() } else { self.bodies.iter().filter(differ).collect() }
+    }
+
+    /// The bands of the lines, in their order; none where errors are not known.
+    fn bands(&self, number: usize) -> Vec<Band> {
+        let bands: Vec<Band> = self.differing(number).into_iter().map(|(_, own)| own.bands[number].clone()).collect();
+        if bands.iter().any(|band| band.high.is_anything()) { bands } else { Vec::new() }
     }
 
     /// One line a body; of many bodies the largest difference alone. Bodies that are the same throughout have none.
@@ -175,10 +207,9 @@ impl ComparePlots {
             course: Course::Straight,
             trace: trace.clone(),
         };
-        let differ = |(_, own): &&(String, Differences)| own.traces[number].is_anything();
-        let own: Vec<_> = self.bodies.iter().filter(differ).collect();
+        let own = self.differing(number);
         let largest = &self.largest.traces[number];
-        if self.count > MOST_LINES || own.is_empty() {
+        if own.is_empty() {
             return vec![line(&format!("largest of {} bodies", self.count), Ink::Blue, largest)];
         }
         let inks = (0..).map(Ink::of_curve);

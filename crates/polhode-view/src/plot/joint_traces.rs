@@ -100,7 +100,8 @@ impl JointTraces {
             let label = "joints: none".to_owned();
             lines.push(Line { label, ink: Ink::Grey, course: Course::Straight, trace: Trace::default() });
         }
-        Some(Panel { title: title.to_owned(), note: note.to_owned(), axis: AxisKind::Linear, lines })
+        let (title, note, axis) = (title.to_owned(), note.to_owned(), AxisKind::Linear);
+        Some(Panel { title, note, axis, lines, bands: Vec::new() })
     }
 
     fn line(&self, own: &JointTrace, ink: Ink) -> Line {

@@ -115,7 +115,7 @@ impl RunPlots {
             _ => ("length of the steps, s", "", AxisKind::Logarithmic),
         };
         let lines = if plot == RunPlot::Steps { vec![self.steps_line()] } else { self.lines(plot) };
-        Panel { title: title.to_owned(), note: note.to_owned(), axis, lines }
+        Panel { title: title.to_owned(), note: note.to_owned(), axis, lines, bands: Vec::new() }
     }
 
     fn lines(&self, plot: RunPlot) -> Vec<Line> {

@@ -167,12 +167,17 @@ impl Svg {
 
     /// A line around places, filled.
     pub fn polygon(&mut self, spots: &[Spot], ink: Ink) {
+        self.area(spots, ink, 1.0);
+    }
+
+    /// The same, through which what is under it is seen.
+    pub fn area(&mut self, spots: &[Spot], ink: Ink, opacity: f64) {
         if spots.len() < 3 || !is_drawn(spots) {
             return;
         }
         let mut path = String::new();
         add_part(&mut path, spots);
-        let _ = writeln!(self.text, "<path d=\"{path}Z\"{}/>", filled(ink, 1.0));
+        let _ = writeln!(self.text, "<path d=\"{path}Z\"{}/>", filled(ink, opacity));
     }
 
     /// A filled circle.

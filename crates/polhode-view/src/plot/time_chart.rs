@@ -36,6 +36,8 @@ const STOP_LINES: usize = 3;
 const MARKS: usize = 5;
 /// Places of events of a kind up to which each is drawn through all panels.
 const FEW_EVENTS: usize = 60;
+/// How much of all bands of a panel is seen together, where they lie over each other.
+const BANDS: f64 = 0.3;
 /// What is beyond a stop, of the time that was reached.
 const BEYOND_STOP: f64 = 0.04;
 
@@ -63,6 +65,15 @@ pub enum Course {
     Dashed,
 }
 
+/// A band behind the lines of a panel: where a line may be.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Band {
+    /// Its lower side.
+    pub low: Trace,
+    /// Its upper side.
+    pub high: Trace,
+}
+
 /// Which kind of axis a panel has.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum AxisKind {
@@ -85,6 +96,8 @@ pub struct Panel {
     pub axis: AxisKind,
     /// Its lines.
     pub lines: Vec<Line>,
+    /// Bands of the first of them, which have their inks.
+    pub bands: Vec<Band>,
 }
 
 /// Events of a kind.
@@ -260,7 +273,8 @@ fn height(panel: &Panel) -> f64 {
 }
 
 fn scale(panel: &Panel) -> Scale {
-    let values: Vec<f64> = panel.lines.iter().flat_map(|line| line.trace.values()).collect();
+    let lines = panel.lines.iter().map(|line| &line.trace);
+    let values: Vec<f64> = lines.chain(panel.bands.iter().map(|band| &band.high)).flat_map(Trace::values).collect();
     match panel.axis {
         AxisKind::Linear => Scale::linear(values.into_iter()),
         AxisKind::Count => Scale::count(values.into_iter()),
@@ -290,6 +304,13 @@ fn draw_axes(svg: &mut Svg, panel: &Panel, frame: &Frame, [top, foot]: [f64; 2])
 fn draw_lines(svg: &mut Svg, panel: &Panel, frame: &Frame, [top, foot]: [f64; 2]) {
     let scale = scale(panel);
     let y = |value: f64| if value.is_finite() { foot - scale.part(value) * (foot - top) } else { f64::NAN };
+    for (line, band) in panel.lines.iter().zip(&panel.bands) {
+        let mut around: Vec<Spot> = band.high.samples().map(|[t_s, value]| [frame.x(t_s), y(value)]).collect();
+        let foremost = around.len();
+        around.extend(band.low.samples().map(|[t_s, value]| [frame.x(t_s), y(value)]));
+        around[foremost..].reverse();
+        svg.area(&around, line.ink, BANDS / panel.bands.len() as f64);
+    }
     for line in &panel.lines {
         let stroke = Stroke::new(line.ink, 1.5);
         let stroke = if line.course == Course::Dashed { stroke.dashed(5.0, 3.0) } else { stroke };

@@ -5,7 +5,7 @@
 
 use polhode::mesh::solid_sphere;
 use polhode::spatial::{DVec3, Mass, Pose, Velocity};
-use polhode::{Body, BodySample, Observer, Scene, Simulation};
+use polhode::{Body, BodyError, BodySample, Observer, Scene, Simulation};
 use polhode_view::plot::cost_chart::{CostCurve, CostPoint, Level, OtherUnits, Rank, Target};
 use polhode_view::plot::cost_panels::{CostPanel, CostPanels, PanelBand, PanelCurve};
 use polhode_view::plot::dot_chart::{Cell, Dot, Row};
@@ -107,7 +107,7 @@ fn check(svg: &str) {
 }
 
 fn panel(axis: AxisKind, lines: Vec<Line>) -> Panel {
-    Panel { title: "energy, J".to_owned(), note: "magnitudes".to_owned(), axis, lines }
+    Panel { title: "energy, J".to_owned(), note: "magnitudes".to_owned(), axis, lines, bands: Vec::new() }
 }
 
 fn line(name: &str, samples: &[[f64; 2]]) -> Line {
@@ -352,8 +352,8 @@ fn two_trajectories() {
     };
     let mut plots = ComparePlots::new(&ComparePlot::ALL, Some(&scene));
     for t_s in [0.0, 1.0, 2.0] {
-        plots.push(t_s, "ball", [&sample(0.0, 0.0, 1.0), &sample(1e-3 * t_s, 6e-4 * t_s, 1.0 + t_s)]);
-        plots.push(t_s, "floor", [&sample(0.0, 0.0, 0.0), &sample(0.0, 0.0, 0.0)]);
+        plots.push(t_s, "ball", [&sample(0.0, 0.0, 1.0), &sample(1e-3 * t_s, 6e-4 * t_s, 1.0 + t_s)], None);
+        plots.push(t_s, "floor", [&sample(0.0, 0.0, 0.0), &sample(0.0, 0.0, 0.0)], None);
     }
     let svg = plots.svg(["a.csv", "b.csv"], Some("the second ends"));
     check(&svg);
@@ -369,4 +369,27 @@ fn two_trajectories() {
     }
     assert!(!svg.contains("floor"), "what does not differ has no line");
     check(&ComparePlots::new(&ComparePlot::ALL, None).svg(["a", "b"], None));
+}
+
+/// Estimated errors are a band around the distance of positions and the angle between attitudes: one band for each
+/// curve of those two, none for velocities, and none where errors are not known.
+#[test]
+fn errors_are_bands_around_curves() {
+    let at = |x: f64| BodySample { pose: Pose::from_translation(DVec3::X * x), velocity: Velocity::ZERO };
+    let drawn = |errors: Option<[BodyError; 2]>| {
+        let mut plots = ComparePlots::new(&ComparePlot::ALL, None);
+        for t_s in [0.0, 1.0, 2.0] {
+            plots.push(t_s, "ball", [&at(0.0), &at(1e-3 * t_s)], errors);
+        }
+        let svg = plots.svg(["a.csv", "b.csv"], None);
+        check(&svg);
+        svg
+    };
+    let areas = |svg: &str| svg.lines().filter(|line| line.contains("Z\"") && line.contains("opacity")).count();
+    let known = drawn(Some([BodyError::new(1e-4, 0.0), BodyError::new(2e-4, 0.0)]));
+    assert_eq!(areas(&known), 1, "{known}");
+    assert!(known.contains("estimated errors of both"));
+    let unknown = drawn(None);
+    assert_eq!(areas(&unknown), 0);
+    assert!(!unknown.contains("estimated errors"));
 }

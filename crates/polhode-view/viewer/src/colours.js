@@ -38,6 +38,7 @@ export const MANIFOLD_COLOUR = '#eba715';
 export const VELOCITY_COLOUR = '#2677dd';
 export const SPIN_COLOUR = '#e07f00';
 export const MOMENTUM_COLOUR = '#8b46c9';
+export const HALO_COLOUR = '#d8334a';
 export const SELECTED_COLOUR = '#ff5a1f';
 
 /** Kinds of events, by their order in the list of kinds. */

@@ -106,6 +106,7 @@ function readRun(run, index, mesh_count, notices) {
     contacts: Boolean(frames.contacts),
     quanta: [frames.position_quantum_m, 1 / 32767, frames.velocity_quantum_m_s, frames.spin_quantum_rad_s],
     chunks: checkChunks(frames.chunks ?? [], times.length, what),
+    errors: readErrors(run.errors, moving.length, what, notices),
     series: readSeries(run.series ?? [], times.length, what, notices),
     events: readEvents(run.events ?? []),
   };
@@ -164,6 +165,16 @@ function readSeries(list, frame_count, what, notices) {
     }
   }
   return kept;
+}
+
+/** The estimated errors of the moving bodies, from change to change: position (m), attitude (rad); null without any. */
+function readErrors(errors, moving_count, what, notices) {
+  if (!errors) return null;
+  const times = numbersOfBase64(errors.times, Float64Array, `${what}: the times of its errors`);
+  const values = numbersOfBase64(errors.values, Float32Array, `${what}: its errors`);
+  if (values.length === 2 * moving_count * times.length) return { times, values };
+  notices.push(`${what} has ${values.length} errors at ${times.length} times: they are left out.`);
+  return null;
 }
 
 function readEvents(list) {

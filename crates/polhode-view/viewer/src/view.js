@@ -6,6 +6,7 @@ import { Bodies } from './bodies.js';
 import { SELECTED_COLOUR } from './colours.js';
 import { Frames } from './frames.js';
 import { Ground } from './ground.js';
+import { Halos } from './halos.js';
 import { instancedLines } from './instances.js';
 import { Joints } from './joints.js';
 import { quantile } from './numbers.js';
@@ -55,7 +56,8 @@ export class View {
     const reach = bounds.getBoundingSphere(new Sphere()).radius;
     this.ground = new Ground(run, Math.max(6 * reach, 12 * this.size), look.shadows);
     this.joints = new Joints(run);
-    this.group.add(this.ground.group, this.selected, this.joints.group);
+    this.halos = new Halos(run, this.radiusOf);
+    this.group.add(this.ground.group, this.selected, this.joints.group, this.halos.group);
     this.setGhost(false);
   }
 
@@ -65,6 +67,7 @@ export class View {
     this.bodies = new Bodies(this.run, this.geometries, { ...this.look, ghost });
     this.ground.group.visible = !ghost;
     this.joints.group.visible = !ghost;
+    this.halos.group.visible = !ghost;
     this.group.add(this.bodies.group);
     this.update();
   }
@@ -81,6 +84,7 @@ export class View {
     for (const overlay of this.overlays.values()) if (overlay.on) overlay.part.update();
     this.bodies.update(this.snapshot, this.eye());
     this.joints.update(this.snapshot.poses);
+    this.halos.update(this.snapshot);
     this.ground.update(this.snapshot);
     this.markFollowed();
   }
@@ -120,7 +124,8 @@ export class View {
   }
 
   legend() {
-    return [...this.overlays.values()].filter(({ on }) => on).flatMap(({ part }) => part.legend());
+    const overlays = [...this.overlays.values()].filter(({ on }) => on).flatMap(({ part }) => part.legend());
+    return [...overlays, ...this.halos.legend(this.followed, this.snapshot.time, SELECTED_COLOUR)];
   }
 
   applyTheme() {

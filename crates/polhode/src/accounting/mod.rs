@@ -48,7 +48,17 @@ use occurrences::Occurrences;
 use polhode_dynamics::BodyState;
 use polhode_response::impact::{ImpactOutcome, ImpactStatus};
 use polhode_response::{SolverReport, SolverStatus};
+use std::collections::VecDeque;
 use stretches::Stretches;
+
+/// A sample of which the observer has not been told the errors.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct WithoutErrors {
+    /// When it was taken, s.
+    pub(crate) t_s: f64,
+    /// Of how many bodies.
+    pub(crate) bodies: usize,
+}
 
 /// The accounts of a run in progress.
 #[derive(Debug, Clone)]
@@ -70,6 +80,8 @@ pub(crate) struct Accounts {
     next_sample: u64,
     /// When the last sample was taken, s.
     last_sample_s: Option<f64>,
+    /// Samples of which the observer has not been told the errors.
+    without_errors: VecDeque<WithoutErrors>,
     /// Stretches of crowded events.
     pub(crate) crowded: Stretches,
 }
@@ -90,6 +102,7 @@ impl Accounts {
             steps: 0,
             next_sample: 0,
             last_sample_s: None,
+            without_errors: VecDeque::new(),
             crowded: Stretches::default(),
         }
     }
@@ -375,7 +388,16 @@ impl Accounts {
         let shown = states.iter().take(model.shown()).enumerate();
         let samples: Vec<_> = shown.map(|(body, state)| reported::sample(model, body, state)).collect();
         observer.sample(t, &samples);
+        if observer.wants_errors() {
+            self.without_errors.push_back(WithoutErrors { t_s: t, bodies: samples.len() });
+        }
         true
+    }
+
+    /// The first sample until `t` (s) of which the observer has not been told the errors. It is no longer owed to it.
+    pub(crate) fn take_without_errors(&mut self, t: f64) -> Option<WithoutErrors> {
+        self.without_errors.front().filter(|sample| sample.t_s <= t)?;
+        self.without_errors.pop_front()
     }
 
     /// Writes the accounts into the report of a run that ends with these states, and compares them with these limits.

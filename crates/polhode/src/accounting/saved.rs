@@ -14,6 +14,7 @@ use crate::scene::Promise;
 use crate::snapshot::numbers::{read_momentum, write_momentum};
 use crate::snapshot::{SnapshotError, content};
 use polhode_spatial::{CompensatedSum, DVec3};
+use std::collections::VecDeque;
 
 impl Accounts {
     /// The accounts as plain data.
@@ -53,6 +54,7 @@ impl Accounts {
             steps: saved.steps,
             next_sample: saved.next_sample,
             last_sample_s: saved.last_sample_s,
+            without_errors: VecDeque::new(),
         })
     }
 }

@@ -86,12 +86,15 @@ pub(crate) struct References<S> {
     pub(crate) before: Option<StartOfRun>,
     pub(crate) running: Vec<Reference<S>>,
     pub(crate) course: Course,
+    /// Errors of the bodies at the comparison before the last one; empty where there was none.
+    pub(crate) errors_before: Vec<BodyError>,
 }
 
 impl<S> References<S> {
     /// None yet, for an estimate of this effort.
     pub(crate) fn new(effort: ErrorEstimation) -> Self {
-        Self { effort, start: None, before: None, running: Vec::new(), course: Course::default() }
+        let (running, errors_before) = (Vec::new(), Vec::new());
+        Self { effort, start: None, before: None, running, course: Course::default(), errors_before }
     }
 
     /// The whole reference by other steps.

@@ -5,6 +5,7 @@ use crate::report::energy::Energy;
 use crate::report::event::Event;
 use crate::report::frame::Frame;
 use crate::report::joint_sample::JointSample;
+use crate::report::run_error::BodyError;
 
 /// Whether a run continues.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -64,6 +65,19 @@ pub trait Observer {
         let _ = (t_s, energy);
     }
 
+    /// Whether [`Observer::errors`] is called.
+    fn wants_errors(&self) -> bool {
+        false
+    }
+
+    /// The estimated errors of the bodies at the time of a sample, in the order of the scene; none where they are not
+    /// known. It is called once for every sample, in their order, if [`Observer::wants_errors`]: some samples later,
+    /// when the run has been compared with its references at that time or after it, and at its end at the latest. A run
+    /// that stops before its end owes the last ones to its observer when it goes on.
+    fn errors(&mut self, t_s: f64, errors: Option<&[BodyError]>) {
+        let _ = (t_s, errors);
+    }
+
     /// Called after every step with the time reached, s.
     fn progress(&mut self, t_s: f64) -> Flow {
         let _ = t_s;
@@ -78,6 +92,8 @@ pub struct Recorder {
     pub times_s: Vec<f64>,
     /// Samples: one row of all bodies per time.
     pub samples: Vec<Vec<BodySample>>,
+    /// Estimated errors: one row of all bodies per time, as far as they are told; an empty one where none is known.
+    pub errors: Vec<Vec<BodyError>>,
     /// Events.
     pub events: Vec<Event>,
 }
@@ -90,6 +106,14 @@ impl Observer for Recorder {
 
     fn event(&mut self, event: &Event) {
         self.events.push(*event);
+    }
+
+    fn wants_errors(&self) -> bool {
+        true
+    }
+
+    fn errors(&mut self, _t_s: f64, errors: Option<&[BodyError]>) {
+        self.errors.push(errors.unwrap_or_default().to_vec());
     }
 }
 

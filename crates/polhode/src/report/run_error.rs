@@ -15,8 +15,8 @@ pub struct BodyError {
 }
 
 impl BodyError {
-    /// An error of so much.
-    pub(crate) const fn new(position_m: f64, rotation_rad: f64) -> Self {
+    /// An error of so much, m and rad.
+    pub const fn new(position_m: f64, rotation_rad: f64) -> Self {
         Self { position_m, rotation_rad }
     }
 

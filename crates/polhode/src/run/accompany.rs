@@ -173,6 +173,7 @@ impl Simulation {
         }
         let is_due = self.core.t >= self.references.course.next_s - f64::EPSILON * self.core.t;
         if is_due || (self.ended && self.references.course.compared_s < self.core.t) {
+            self.references.errors_before.clone_from(&self.references.course.errors);
             self.compare();
         }
     }

@@ -10,6 +10,7 @@
 //! | `stability` | [`Stability`](crate::Stability): how far bodies at rest are from moving |
 //! | `accompany` | runs beside this one are begun, followed and compared with it, to estimate its error |
 //! | `pieces` | pieces of a run that another method computes again where bodies touch |
+//! | `tell_errors` | the estimated errors of samples, for the observer |
 //! | `beside` | how such a run begins: by which method, steps and states |
 //! | `restoring` | snapshots, and simulations that continue from them |
 //! | `singular_force` | the singular force that has made a run fail |
@@ -25,3 +26,4 @@ mod singular_force;
 pub mod stability;
 mod start_overlap;
 pub(crate) mod steering;
+mod tell_errors;

@@ -3,7 +3,6 @@
 use crate::accounting::Accounts;
 use crate::accounting::last_sample::LastSample;
 use crate::error::SimulationError;
-use crate::error_estimate::effort::ErrorEstimation;
 use crate::error_estimate::references::References;
 use crate::identity::body_id::BodyId;
 use crate::identity::joint_id::JointId;
@@ -165,7 +164,7 @@ impl Simulation {
         for what in separated.into_iter().chain(scene.warnings()) {
             simulation.core.accounts.warn(0.0, what);
         }
-        simulation.references = References::new(ErrorEstimation::default());
+        simulation.references = References::new(scene.method().error.unwrap_or_default());
         Ok(simulation)
     }
 
@@ -326,6 +325,7 @@ impl Simulation {
             emit_sample(&*self.tier, &mut self.core, &states, t, observer)?;
         }
         self.follow();
+        self.tell_errors(observer);
         let end = if reached == Reached::Event { StepEnd::Event } else { StepEnd::Planned };
         Ok(StepOutcome { t_s: t, end })
     }

@@ -11,6 +11,7 @@ use super::laws::{
 use super::penalty::PenaltyMethod;
 use super::promise::PromiseChanges;
 use super::tiers::Tier;
+use crate::error_estimate::effort::ErrorEstimation;
 use polhode_response::RestitutionLaw;
 
 /// Most substeps of a step: beyond, a shorter step costs no more.
@@ -77,6 +78,8 @@ pub struct Method {
     pub crowding: Option<Crowding>,
     /// Error allowed within a stretch of crowded events per [`Method::step_s`], relative to the size of each body.
     pub crowding_tolerance: Option<f64>,
+    /// How the error of the run is estimated. The motion does not depend on it.
+    pub error: Option<ErrorEstimation>,
     /// The springs of the tier `penalty`.
     pub penalty: Option<PenaltyMethod>,
     /// Limits in place of those that the tier promises.

@@ -43,7 +43,8 @@ impl Write for Fnv1a {
 /// that a program has added depend on where their bodies were.
 pub(super) fn of_scene(scene: &Scene, added: &[AddedJoint]) -> u64 {
     let mut hash = Fnv1a::default();
-    let scene = Scene { duration_s: 0.0, ..scene.clone() };
+    let mut scene = Scene { duration_s: 0.0, ..scene.clone() };
+    scene.method.error = None;
     // Adding bytes to the hash cannot fail.
     let _ = write!(hash, "{scene:?}");
     for joint in added {

@@ -92,6 +92,7 @@ mod support;
 mod table_edge;
 mod threads;
 mod tier_choice;
+mod told_errors;
 mod touching_without_pressing;
 mod tracks;
 mod units;
