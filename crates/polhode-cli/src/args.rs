@@ -122,7 +122,8 @@ pub(crate) struct RunArgs {
     pub(crate) scene: SceneArgs,
     #[command(flatten)]
     pub(crate) output: RunOutputArgs,
-    /// Runs by the cheapest method whose error stays below this, as `polhode cost` finds it
+    /// Runs by the cheapest method whose error stays below this, as `polhode cost` finds it; exit
+    /// code 1 where it does not
     #[arg(long, value_name = "ERROR", allow_negative_numbers = true)]
     pub(crate) accuracy: Option<f64>,
     /// Repeats the run by another method, and says how far the bodies of both are apart; exit

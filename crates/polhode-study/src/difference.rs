@@ -91,6 +91,12 @@ impl Scales {
         Self { length_m, length_is, speed_m_s, angular_speed, angle, sizes }
     }
 
+    /// The length of the scene in sizes of its smallest body that moves; at least 1.
+    pub fn lengths_of_smallest_body(&self) -> f64 {
+        let size = self.sizes.iter().flatten().copied().filter(|size| *size > 0.0).fold(f64::INFINITY, f64::min);
+        if size.is_finite() { (self.length_m / size).max(1.0) } else { 1.0 }
+    }
+
     /// How far `run` is from `reference`.
     ///
     /// # Errors

@@ -43,7 +43,7 @@ impl Options {
             target: Some(target),
             range: Range::Methods,
             counting: Counting::Time,
-            estimation: ErrorEstimation::Off,
+            estimation: ErrorEstimation::Quick,
         }
     }
 }

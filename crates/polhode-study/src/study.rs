@@ -129,8 +129,8 @@ impl Study {
         Ok(Self { scene, duration_s, references, entries, base, counting: options.counting, samples: options.samples })
     }
 
-    /// The cheapest candidate that is known to be within `target` of the limit of the scene's law: what another law
-    /// makes of the scene counts here.
+    /// The cheapest candidate that is known to be within `target` of the limit of the scene's law, and does not say
+    /// otherwise of itself where it was asked: what another law makes of the scene counts here.
     pub fn cheapest(&self, target: f64) -> Option<&Entry> {
         let points = points(&self.entries, &self.references, Charged::MethodAndLaw);
         front::cheapest(&points, target).and_then(|number| self.entries.get(number))
@@ -143,7 +143,9 @@ impl Study {
     pub fn answer(&self, target: f64) -> Result<&Entry, StudyError> {
         self.cheapest(target).ok_or_else(|| {
             let best = match self.most_accurate() {
-                Some((error, name)) => format!("the most accurate, {name}, is known to {error:.1e}"),
+                Some((error, entry)) => {
+                    format!("the most accurate, {}, is known to {error:.1e}", entry.candidate.name())
+                }
                 None => "none ran".to_owned(),
             };
             StudyError::NotReached { asked: target, best }
@@ -182,13 +184,18 @@ impl Study {
         [errors.position * length_m * 1e3, errors.attitude.to_degrees()]
     }
 
-    /// The smallest error that any candidate is known to reach, with its name.
-    pub fn most_accurate(&self) -> Option<(f64, String)> {
+    /// The smallest error that any candidate is known to reach, with that candidate.
+    pub fn most_accurate(&self) -> Option<(f64, &Entry)> {
         let known = self.entries.iter().filter_map(|entry| {
             let error = self.known_error(entry)?;
-            error.is_finite().then(|| (error, entry.candidate.name()))
+            error.is_finite().then_some((error, entry))
         });
         known.min_by(|(a, _), (b, _)| a.total_cmp(b))
+    }
+
+    /// An error relative to the length of the scene (no unit), relative to the size of its smallest body.
+    pub fn of_smallest_body(&self, error: f64) -> f64 {
+        error * self.references.first().map_or(1.0, |reference| reference.scales.lengths_of_smallest_body())
     }
 
     /// How close to a reference a candidate comes that integrates in another way, with its name.
@@ -311,8 +318,11 @@ fn points(entries: &[Entry], references: &[Reference], charged: Charged) -> Vec<
         let Ok(measured) = &entry.outcome else { return Point::new(f64::NAN, f64::NAN, f64::NAN) };
         let floor = references.get(entry.reference).map_or(f64::NAN, |reference| reference.error);
         let law = measured.law.filter(|_| charged == Charged::MethodAndLaw).map_or(0.0, |law| law.difference);
+        // A run that tells a larger error of itself would be held not to have reached a target.
+        let told = measured.estimated.filter(|_| charged == Charged::MethodAndLaw).unwrap_or(0.0);
+        let error = crate::difference::worst(measured.errors.headline() + law, told);
         let same = entries.iter().filter(|other| is_same_run(other, entry));
-        Point::new(same.map(cost).fold(measured.cost(), f64::min), measured.errors.headline() + law, floor + law)
+        Point::new(same.map(cost).fold(measured.cost(), f64::min), error, floor + law)
     };
     entries.iter().map(of).collect()
 }

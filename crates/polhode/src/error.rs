@@ -54,6 +54,12 @@ pub enum SimulationError {
         /// When, s.
         t_s: f64,
     },
+    /// A run beside a run, which estimates its error, has taken all the work that it may.
+    #[error("at t = {t_s} s a run beside the run has taken all the work that the estimate of its error may")]
+    TooMuchWork {
+        /// When, s.
+        t_s: f64,
+    },
     /// A contact-force or impact problem could not be solved to its tolerance, even by the fallback.
     #[error(
         "the solver found no contact forces or impulses{} at t = {t_s} s: the relative residual stays at {residual:e}; \
@@ -267,6 +273,7 @@ impl SimulationError {
             Self::Diverged { t_s, .. }
             | Self::EnergyOverflow { t_s }
             | Self::TooManyEvents { t_s, .. }
+            | Self::TooMuchWork { t_s }
             | Self::ContactSolve { t_s, .. }
             | Self::Integration { t_s, .. }
             | Self::StepTooLong { t_s, .. }

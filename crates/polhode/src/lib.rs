@@ -172,7 +172,6 @@ mod time_stepping;
 
 pub use action_error::ActionError;
 pub use error::SimulationError;
-pub use error_estimate::effort::ErrorEstimation;
 pub use identity::body_id::BodyId;
 pub use identity::joint_id::JointId;
 pub use model::body_queries::BodyQueries;
@@ -197,7 +196,7 @@ pub use run::stability;
 pub use run::stability::Stability;
 pub use run::steering::Steering;
 pub use scene::effects::Effects;
-pub use scene::{ApproximateParts, Body, Geometry, Scene, SceneBuilder, SceneError};
+pub use scene::{ApproximateParts, Body, ErrorEstimation, Geometry, Scene, SceneBuilder, SceneError};
 pub use snapshot::{Snapshot, SnapshotError};
 pub use tier::executor::{Executor, OneThread, Task};
 

@@ -177,10 +177,11 @@ fn write(mut file: AtomicFile, text: &str) -> Result<(), Failure> {
     written.map_err(|error| cannot_write(file.target(), &error))
 }
 
-/// The settings of the cheapest method that reaches an accuracy; stderr is told which it is.
+/// The settings of the cheapest method that reaches an accuracy, which becomes what the run promises; stderr is told
+/// which it is. Where none reaches it they are those of the most accurate one, and the run will say how far off it is.
 ///
 /// # Errors
-/// When no candidate reaches it.
+/// When no candidate ran.
 pub(crate) fn settings_for(
     scene: &SceneText<'_>,
     changes: &ChangeArgs,
@@ -189,10 +190,21 @@ pub(crate) fn settings_for(
     positive("--accuracy", Some(accuracy))?;
     let options = Options::for_accuracy(accuracy);
     let study = program::study(scene, changes, |source| Study::run(source, &[], &options))?;
-    let entry = study.answer(accuracy)?;
-    failure::remark(&format!("note: {}", text::reached(&study, entry, accuracy)));
-    let chosen = |change: &Override| Override::new("command line (--accuracy)", &change.key, &change.value);
-    Ok(entry.candidate.changes.iter().map(chosen).collect())
+    let entry = match (study.answer(accuracy), study.most_accurate()) {
+        (Ok(entry), _) => {
+            failure::remark(&format!("note: {}", text::reached(&study, entry, accuracy)));
+            entry
+        }
+        (Err(error), Some((_, most_accurate))) => {
+            failure::remark(&format!("note: {error}: the run is by it"));
+            most_accurate
+        }
+        (Err(error), None) => return Err(error.into()),
+    };
+    let chosen = |key: &str, value: &str| Override::new("command line (--accuracy)", key, value);
+    let method = entry.candidate.changes.iter().map(|change| chosen(&change.key, &change.value));
+    let promised = study.of_smallest_body(accuracy).to_string();
+    Ok(method.chain([chosen("promise.error", &promised)]).collect())
 }
 
 fn open(path: Option<&PathBuf>) -> Result<Option<AtomicFile>, Failure> {

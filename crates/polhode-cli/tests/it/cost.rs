@@ -214,8 +214,12 @@ fn run_to_an_accuracy() {
     assert!(run.stderr.contains("rk4 step"), "{}", run.stderr);
     assert!(run.stderr.contains("cheapest method with an error of at most 1e-8"), "{}", run.stderr);
     assert_eq!(run.json()["simulated_s"], 0.5);
-    let run = place.expect(1, &[&rk4[..], &["--accuracy", "1e-30"]].concat());
-    assert!(run.stderr.contains("no method reaches") && run.stdout.is_empty(), "{}", run.stderr);
+    // What none reaches is asked of the most accurate one, which says how far off it is.
+    let run = place.expect(1, &[&rk4[..], &["--accuracy", "1e-30", "--json"]].concat());
+    assert!(run.stderr.contains("no method reaches"), "{}", run.stderr);
+    let report = run.json();
+    assert_eq!((&report["outcome"], &report["simulated_s"]), (&"degraded".into(), &0.5.into()));
+    assert!(report["error"]["largest"]["relative"].as_f64().unwrap() > 1e-30);
 }
 
 /// Mistakes have exit code 2, files that cannot be written 3, before anything is run.

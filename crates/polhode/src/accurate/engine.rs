@@ -64,6 +64,7 @@ impl Engine {
 
     /// Processes what is due at `t`.
     pub(super) fn process(&mut self, core: &mut Core, t: f64, due: Due) -> Result<Reached, SimulationError> {
+        core.model.work.check(t)?;
         if due != Due::FlightBoxes {
             self.motions.state_cache.invalidate();
         }

@@ -1,6 +1,6 @@
 //! What references may take of the work of a run.
 
-use super::effort::ErrorEstimation;
+use crate::scene::ErrorEstimation;
 
 /// Units of work (`crate::model::work`) that references may take at once, however short the run is: a part of what a
 /// program takes to read a scene and start.
@@ -11,7 +11,7 @@ const CREDIT: f64 = 800.0;
 const AHEAD: f64 = 0.15;
 
 /// Part of the run after which its rest is foreseen (no unit, 0.001 to 0.1).
-const FORESEEN_AFTER: f64 = 0.01;
+pub(crate) const FORESEEN_AFTER: f64 = 0.01;
 
 /// Comparisons that a reference must be able to make, at the cost of the last one of its kind, to begin.
 pub(crate) const LEAST_COMPARISONS: f64 = 8.0;

@@ -1,8 +1,8 @@
 //! The runs beside a run (which are an `S` too), and what is known by them.
 
 use super::course::Course;
-use super::effort::ErrorEstimation;
 use crate::report::run_error::{BodyError, ReferenceKind};
+use crate::scene::ErrorEstimation;
 use polhode_dynamics::BodyState;
 
 /// A run beside a run.
@@ -10,7 +10,7 @@ use polhode_dynamics::BodyState;
 pub(crate) struct Reference<S> {
     pub(crate) kind: ReferenceKind,
     pub(crate) run: Box<S>,
-    /// The run with which a disturbed one is compared; none where that is the one by other steps.
+    /// The run with which a disturbed one is compared; none where that is the run itself or the one by other steps.
     pub(crate) partner: Option<Box<S>>,
     /// When it began, s.
     pub(crate) begun_s: f64,

@@ -8,6 +8,7 @@
 //! How it fails: the units were fitted to the instructions of some shipped scenes, and are off by a factor of up to
 //! two where something else is computed most often.
 
+use crate::error::SimulationError;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
@@ -23,6 +24,9 @@ pub(crate) const OF_STEP: usize = 12;
 /// Units of a simulation that begins: its model, its plan.
 pub(crate) const OF_BEGINNING: usize = 300;
 
+/// Units of a row of a problem that an interior point solves, in all its iterations.
+pub(crate) const OF_ROW_BY_INTERIOR_POINT: usize = 60;
+
 /// Rows from which on a problem costs as much for each further one: each is coupled with as many others.
 const COUPLED_ROWS: usize = 48;
 
@@ -30,8 +34,18 @@ const COUPLED_ROWS: usize = 48;
 pub(crate) const ROWS_OF_UNIT: usize = 8;
 
 /// A count of work, which threads may share.
-#[derive(Debug, Default)]
-pub(crate) struct Work(Arc<AtomicU64>);
+#[derive(Debug)]
+pub(crate) struct Work {
+    count: Arc<AtomicU64>,
+    /// Beyond this nothing goes on.
+    most: Arc<AtomicU64>,
+}
+
+impl Default for Work {
+    fn default() -> Self {
+        Self { count: Arc::default(), most: Arc::new(AtomicU64::new(u64::MAX)) }
+    }
+}
 
 impl Clone for Work {
     /// That of a copy of the model, which has computed nothing.
@@ -43,17 +57,17 @@ impl Clone for Work {
 impl Work {
     /// Counts so many units.
     pub(crate) fn add(&self, units: usize) {
-        self.0.fetch_add(units as u64, Ordering::Relaxed);
+        self.count.fetch_add(units as u64, Ordering::Relaxed);
     }
 
     /// Counts so many units in the place of what has been counted since the count was this, by nobody else meanwhile.
     pub(crate) fn count_since(&self, before: u64, units: usize) {
-        self.0.store(before + units as u64, Ordering::Relaxed);
+        self.count.store(before + units as u64, Ordering::Relaxed);
     }
 
     /// The same count, for those who compute with what was made from the model.
     pub(crate) fn shared(&self) -> Self {
-        Self(Arc::clone(&self.0))
+        Self { count: Arc::clone(&self.count), most: Arc::clone(&self.most) }
     }
 
     /// Counts the solution of a problem of so many rows.
@@ -63,6 +77,20 @@ impl Work {
 
     /// The units counted so far.
     pub(crate) fn total(&self) -> u64 {
-        self.0.load(Ordering::Relaxed)
+        self.count.load(Ordering::Relaxed)
+    }
+
+    /// Lets only so many units more be counted before [`Work::check`] fails.
+    pub(crate) fn allow(&self, more: u64) {
+        self.most.store(self.total().saturating_add(more), Ordering::Relaxed);
+    }
+
+    /// Checks that no more was counted by `t` (s) than is allowed. What may go on for long within a step asks this.
+    ///
+    /// # Errors
+    /// When more was: the run beside a run ends there.
+    pub(crate) fn check(&self, t: f64) -> Result<(), SimulationError> {
+        let most = self.most.load(Ordering::Relaxed);
+        if self.total() > most { Err(SimulationError::TooMuchWork { t_s: t }) } else { Ok(()) }
     }
 }

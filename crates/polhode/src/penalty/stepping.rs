@@ -139,6 +139,7 @@ fn step(
     let springs = run.done.springs.clone();
     let bodies = run.done.group.bodies.clone();
     let (core, about, t) = (run.core, run.done.books.ledger.momentum.about, run.t);
+    core.model.work.check(t)?;
     let mut states = run.states.clone();
     let mut system =
         SpringSystem { model: &core.model, bodies: &bodies, springs: &springs, about, states: &mut states };

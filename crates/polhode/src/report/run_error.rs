@@ -1,7 +1,7 @@
 //! The estimated error of a run: how far the motion that was computed is from the exact one of the scene as written.
 
-use crate::error_estimate::effort::ErrorEstimation;
 use crate::identity::body_id::BodyId;
+use crate::scene::ErrorEstimation;
 use serde::{Deserialize, Serialize};
 
 /// How far a body is from where it should be.

@@ -1,7 +1,8 @@
 //! What is asked of the rows of an assembly: each question counts as work of the model.
 
 use super::assembly::Assembly;
-use polhode_response::{Answer, Ask, Memory, Question, ResponseError, RowProblem, solve};
+use crate::model::work;
+use polhode_response::{Answer, Ask, Memory, Method, Question, ResponseError, RowProblem, solve};
 
 impl Assembly {
     /// The rows as the problem of which this is known.
@@ -21,6 +22,10 @@ impl Assembly {
         ask: Ask<'_>,
         memory: &mut Memory,
     ) -> Result<Answer, ResponseError> {
-        solve(&self.with(known), ask, memory)
+        let answer = solve(&self.with(known), ask, memory)?;
+        if answer.report.tried.contains(Method::InteriorPoint) {
+            self.work.add(work::OF_ROW_BY_INTERIOR_POINT * self.problem.len());
+        }
+        Ok(answer)
     }
 }

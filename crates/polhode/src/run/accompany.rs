@@ -7,20 +7,19 @@
 //! report says why; no other one of its kind begins then.
 
 use crate::error::SimulationError;
-use crate::error_estimate::budget::{Allowed, LEAST_COMPARISONS, allowed};
+use crate::error_estimate::budget::{Allowed, FORESEEN_AFTER, LEAST_COMPARISONS, allowed};
 use crate::error_estimate::course::Course;
-use crate::error_estimate::effort::ErrorEstimation;
 use crate::error_estimate::growth::ROUNDING_OF_START;
 use crate::error_estimate::references::{Part, Reference, ReferenceBegin, References, StartOfRun};
 use crate::model::plane_of_motion::PlanarBodies;
 use crate::model::work;
 use crate::report::observer::{BodySample, Unobserved};
-use crate::report::run_error::{BodyError, ReferenceKind, RunError};
+use crate::report::run_error::{ReferenceKind, RunError};
 use crate::run::beside::ReferenceMethod;
 use crate::run::simulation::Simulation;
+use crate::scene::ErrorEstimation;
 use crate::snapshot::numbers::{read_states, write_states};
 use crate::snapshot::{SnapshotError, content};
-use polhode_spatial::DVec3;
 
 /// Comparisons of a run under error control.
 const COMPARISONS: f64 = 100.0;
@@ -33,21 +32,6 @@ const ROWS_OF_PAIR: usize = 12;
 
 /// Rows of another method from which on each further one costs as much.
 const ROWS_COUPLED_AT_ONCE: usize = 400;
-
-/// Distances of the past fade within this part of the time that a reference has run (no unit, 0.05 to 0.5).
-const FADES_WITHIN: f64 = 0.2;
-
-/// The error of time steps in crowded events, in distances from a run with steps twice as long (no unit, 1 to 3).
-const CROWDED_WEIGHT: f64 = 2.0;
-
-/// Roundings of the run, each as large as that of the start of a disturbed run, that add up (no unit, 1 to 30).
-const ROUNDINGS: f64 = 10.0;
-
-/// The part of the tolerance of a step that the errors of all steps come to at least (no unit, 0.01 to 1).
-const PART_OF_TOLERANCE: f64 = 0.3;
-
-/// Rounding of a position, of its coordinates, and of an attitude, of the angle that a body has turned by (no unit).
-const ROUNDING_OF_PLACES: f64 = 8.0 * f64::EPSILON;
 
 impl Simulation {
     /// Estimates the error of the run so from now on. Before the first step references begin with the run; later they
@@ -96,13 +80,14 @@ impl Simulation {
         let course = &mut self.references.course;
         course.has_begun = true;
         course.compared_s = start.t_s;
-        course.start_s = start.t_s;
+        let start_s = start.t_s;
+        course.start_s = start_s;
         course.beginning = self.core.work;
         course.start = self.tier.samples(&self.core).iter().map(place_of).collect();
         self.references.start = Some(start);
         self.begin_due();
-        // The first step shows what the start has to settle.
-        self.references.course.next_s = self.core.t;
+        // What the start has to settle shows soon.
+        self.references.course.next_s = start_s + FORESEEN_AFTER * (self.scene.duration_s() - start_s);
     }
 
     /// The kinds of references of an effort.
@@ -132,13 +117,15 @@ impl Simulation {
 
     /// Begins a reference of a kind there. A piece goes on from the errors that are known then.
     pub(super) fn begin_reference(&mut self, kind: ReferenceKind, from: &StartOfRun, part: Part) {
-        let shared = self.references.by_steps().filter(|own| kind == ReferenceKind::Disturbed && own.begun_s == from.t_s);
+        let is_shared = |own: &&Reference<Self>| kind == ReferenceKind::Disturbed && own.begun_s == from.t_s;
+        let disturbs_itself = self.disturbs_itself(self.references.effort);
+        let shared = self.references.by_steps().filter(is_shared).filter(|_| !disturbs_itself);
         // A disturbed run is compared with the one by other steps, and has its steps.
         let number = shared.map_or(self.references.course.of(kind).begun, |own| own.number);
         let is_shared = shared.is_some();
         let by = self.reference_method(kind, self.references.effort, number);
         let disturbed_by = if kind == ReferenceKind::Disturbed { ROUNDING_OF_START } else { 0.0 };
-        let needs_partner = kind == ReferenceKind::Disturbed && !is_shared;
+        let needs_partner = kind == ReferenceKind::Disturbed && !is_shared && !disturbs_itself;
         let begun = self.beside(&by, from, disturbed_by).and_then(|run| {
             let partner = needs_partner.then(|| self.beside(&by, from, 0.0)).transpose()?;
             Ok((run, partner.map(Box::new)))
@@ -187,9 +174,8 @@ impl Simulation {
         for place in (0..running.len()).rev() {
             let kind = running[place].kind;
             let (before, from_s) = (running[place].work(), running[place].run.core.t);
-            // What others have cost in vain does not end the first one, by which the error is known.
-            let in_vain = if kind == first { 0 } else { self.references.course.spent() };
-            let reached = running[place].bring_to(t, now.ahead - in_vain as f64);
+            // What others have cost in vain ends none: it lets none begin.
+            let reached = running[place].bring_to(t, now.ahead);
             let way_s = running[place].run.core.t - from_s;
             if way_s > 0.0 {
                 self.references.course.of_mut(kind).per_second = (running[place].work() - before) as f64 / way_s;
@@ -197,7 +183,9 @@ impl Simulation {
             let of_rest = self.references.course.of(kind).per_second * (self.scene.duration_s() - t);
             let reference = &mut running[place];
             reference.comparisons += 1;
-            let is_foreseen = reference.is_whole && reference.comparisons == COMPARISONS_TO_FORESEE;
+            let is_foreseen = kind == ReferenceKind::OtherMethod
+                && reference.is_whole
+                && reference.comparisons == COMPARISONS_TO_FORESEE;
             match reached {
                 // A whole one that cannot be paid for to the end leaves what is left to others.
                 Ok(true) if is_foreseen && of_rest > now.of_rest + now.at_once - reference.work() as f64 => {
@@ -208,7 +196,7 @@ impl Simulation {
                 Err(error) => self.end_reference(&mut running, place, Ending::Failed(error)),
             }
         }
-        while spent(&self.references.course, &running) > now.ahead {
+        while of_running(&running) > now.ahead {
             let rate = |own: &Reference<Self>| own.work() as f64 / (t - own.begun_s);
             let others = running.iter().enumerate().filter(|(_, own)| own.kind != first);
             let Some((place, _)) = others.max_by(|a, b| rate(a.1).total_cmp(&rate(b.1))) else { break };
@@ -252,13 +240,18 @@ impl Simulation {
                 Some(error.to_string())
             }
             Ending::TooCostly => Some("it costs more than the estimate may".to_owned()),
+            Ending::OtherSteps => {
+                own.has_failed = true;
+                Some("error control has chosen other steps for it".to_owned())
+            }
             Ending::Apart => Some("it accompanies contacts only".to_owned()),
         };
     }
 
     /// Ends a disturbed run whose partner, the one by other steps, has ended.
     fn end_without_partner(&mut self, running: &mut Vec<Reference<Self>>) {
-        if running.iter().any(|own| own.kind == ReferenceKind::OtherSteps && own.is_whole) {
+        let has_partner = running.iter().any(|own| own.kind == ReferenceKind::OtherSteps && own.is_whole);
+        if has_partner || self.disturbs_itself(self.references.effort) {
             return;
         }
         let is_alone = |own: &Reference<Self>| own.kind == ReferenceKind::Disturbed && own.partner.is_none();
@@ -293,6 +286,7 @@ impl Simulation {
         for kind in self.kinds(self.references.effort) {
             let allowed = self.allowed();
             let interval_s = self.next_comparison() - t;
+            let disturbs_itself = self.disturbs_itself(self.references.effort);
             let touching_pairs = self.tier.touching_pairs();
             let references = &mut self.references;
             let known = references.course.of(kind);
@@ -311,11 +305,16 @@ impl Simulation {
             if references.runs(kind) || known.has_failed || is_needless {
                 continue;
             }
-            let is_shared = kind == ReferenceKind::Disturbed && references.by_steps().is_some();
-            let like = if is_shared { references.course.of(ReferenceKind::OtherSteps) } else { known };
-            let per_second = known.per_second.max(like.per_second);
+            let is_disturbed = kind == ReferenceKind::Disturbed;
+            let runs = if is_disturbed && !disturbs_itself && references.by_steps().is_none() { 2.0 } else { 1.0 };
+            // A disturbed run costs what the run or one by other steps does.
+            let alike = match is_disturbed {
+                true if disturbs_itself => self.core.work as f64 / (t - references.course.start_s),
+                true => runs * references.course.of(ReferenceKind::OtherSteps).per_second,
+                false => 0.0,
+            };
+            let per_second = known.per_second.max(alike);
             let left = allowed.at_once - spent(&references.course, &references.running);
-            let runs = if kind == ReferenceKind::Disturbed && !is_shared { 2.0 } else { 1.0 };
             let to_begin = runs * beginning(kind, references.course.beginning, touching_pairs);
             let of_rest = per_second * (self.scene.duration_s() - t).max(0.0);
             let start = references.start.take_if(|start| {
@@ -334,74 +333,6 @@ impl Simulation {
             }
             self.references.start = self.references.start.take().or(start);
         }
-    }
-
-    /// Notes how far the run is from its references at the present, and what that says of its errors.
-    fn note_distances(&mut self) {
-        let (t, model) = (self.core.t, &self.core.model);
-        let samples = self.tier.samples(&self.core);
-        let sizes: Vec<f64> = model.bodies.iter().map(|body| body.size).collect();
-        let is_crowded = self.core.accounts.has_crowded();
-        let References { running, course, .. } = &mut self.references;
-        let since_s = t - course.compared_s;
-        let (mut growth, mut amplified) = (1.0, Vec::new());
-        let of_run = |run: &Self| run.tier.samples(&run.core);
-        let by_steps = running.iter().find(|own| own.kind == ReferenceKind::OtherSteps).map(|own| of_run(&own.run));
-        for reference in running.iter_mut() {
-            let others = of_run(&reference.run);
-            let partner = reference.partner.as_ref().map(|partner| of_run(partner));
-            let own = match reference.kind {
-                ReferenceKind::Disturbed => partner.as_ref().or(by_steps.as_ref()).unwrap_or(&others),
-                _ => &samples,
-            };
-            let distances: Vec<BodyError> = own.iter().zip(&others).map(|(a, b)| distance(a, b)).collect();
-            let largest = distances.iter().zip(&sizes).map(|(own, &size)| own.of_size(size)).fold(0.0, f64::max);
-            let known = course.of_mut(reference.kind);
-            known.largest = known.largest.max(largest);
-            let way_s = t - reference.begun_s;
-            known.covered_s = if reference.is_whole { way_s } else { known.covered_s + since_s.min(way_s) };
-            if reference.kind == ReferenceKind::Disturbed {
-                growth = course.growth.note(t, largest);
-                amplified = distances;
-                continue;
-            }
-            let fade = (1.0 - since_s / (FADES_WITHIN * (t - reference.begun_s))).max(0.0);
-            let weight = weight(reference, is_crowded);
-            reference.since.resize(distances.len(), BodyError::default());
-            for (since, distance) in reference.since.iter_mut().zip(&distances) {
-                *since = since.times(fade).max(distance.times(weight));
-            }
-        }
-        for reference in running.iter_mut() {
-            reference.base.iter_mut().for_each(|base| *base = base.times(growth));
-        }
-        let of_kind = |kind| running.iter().find(|own| own.kind == kind);
-        let by_method = of_kind(ReferenceKind::OtherMethod).filter(|own| own.is_whole);
-        let by_steps = of_kind(ReferenceKind::OtherSteps);
-        let piece = running.iter().find(|own| own.is_piece_by_method()).map(Reference::errors);
-        let by_pieces = piece.or_else(|| course.pieces.grown(growth, since_s, samples.len()));
-        // A whole run by another method is better than any by other steps.
-        let errors = match (by_method, by_steps) {
-            (Some(whole), _) => whole.errors(),
-            (None, Some(steps)) => larger(by_pieces.as_ref(), steps.errors()),
-            (None, None) if course.errors.is_empty() && by_pieces.is_none() => return,
-            (None, None) => larger(by_pieces.as_ref(), course.grown(growth, since_s, samples.len())),
-        };
-        course.pieces.errors = by_pieces.unwrap_or_default();
-        // Local errors of steps under error control may add up to a part of their tolerance.
-        let controlled = self.core.accounts.certificate.max_step_error.map_or(0.0, |_| self.core.settings.tolerance);
-        let local = self.core.accounts.crowded.errors().max(PART_OF_TOLERANCE * controlled);
-        let of_body = |(body, error): (usize, BodyError)| {
-            let (sample, size) = (&samples[body], sizes[body]);
-            let start = course.start.get(body).map_or(sample.pose.translation, |at| DVec3::from_array(*at));
-            let way = (sample.pose.translation - start).length() + size;
-            let most = BodyError::new(way, std::f64::consts::PI);
-            let of_steps = BodyError::new(local * size, 0.0);
-            let rounded = amplified.get(body).map_or(BodyError::default(), |own: &BodyError| own.times(ROUNDINGS));
-            error.min(most).max(rounding(sample, size, t)).max(of_steps).max(rounded)
-        };
-        let errors = errors.into_iter().enumerate().map(of_body).collect();
-        course.note(t, errors, &sizes, self.core.settings.promise.error);
     }
 
     /// Repeats an action of the program on the references.
@@ -481,7 +412,8 @@ impl Simulation {
     ) -> Result<References<Self>, SimulationError> {
         let restored = |start: &Option<_>| start.as_ref().map(|start| self.restored_start(start)).transpose();
         let (start, before) = (restored(&saved.start)?, restored(&saved.before)?);
-        let mut references = References { start, before, course: saved.course.clone(), ..References::new(saved.effort) };
+        let mut references =
+            References { start, before, course: saved.course.clone(), ..References::new(saved.effort) };
         for own in &saved.running {
             let by = self.reference_method(own.kind, saved.effort, own.number);
             let run = self.restored_beside(&own.run, &by)?;
@@ -511,7 +443,12 @@ impl Reference<Simulation> {
             let duration = run.scene.duration_s();
             loop {
                 let limit = if run.ended { t } else { t.min(duration) };
-                let step = run.advance(limit, &mut Unobserved)?;
+                // Within a step too: one that jams does not hold up the run.
+                run.core.model.work.allow((left - run.core.work as f64).max(0.0) as u64);
+                let step = match run.advance(limit, &mut Unobserved) {
+                    Err(SimulationError::TooMuchWork { .. }) => return Ok(false),
+                    step => step?,
+                };
                 if step.t_s >= t && !step.is_event() {
                     break;
                 }
@@ -533,6 +470,8 @@ pub(super) enum Ending {
     TooCostly,
     /// Bodies have come apart, and it accompanies contacts.
     Apart,
+    /// It has other steps than the run with which it is compared.
+    OtherSteps,
 }
 
 /// The start of references as plain data.
@@ -540,15 +479,14 @@ fn save_start(start: &StartOfRun) -> content::StartOfRun {
     content::StartOfRun { t_s: start.t_s, states: write_states(&start.states), rested: start.rested.clone() }
 }
 
-/// What the distance from a reference is multiplied by. Where time steps pass crowded events, their error is larger
-/// than that of all else.
-fn weight(reference: &Reference<Simulation>, is_crowded: bool) -> f64 {
-    if is_crowded && reference.kind == ReferenceKind::OtherSteps { CROWDED_WEIGHT } else { reference.weight }
-}
-
 /// Units of work of all references so far.
 pub(super) fn spent(course: &Course, running: &[Reference<Simulation>]) -> f64 {
-    (course.spent() + running.iter().map(Reference::work).sum::<u64>()) as f64
+    course.spent() as f64 + of_running(running)
+}
+
+/// Units of work of the references that run.
+fn of_running(running: &[Reference<Simulation>]) -> f64 {
+    running.iter().map(Reference::work).sum::<u64>() as f64
 }
 
 /// Units of work that a reference of a kind may need to begin, where the beginning of the run has taken `own` and so
@@ -565,24 +503,4 @@ pub(super) fn beginning(kind: ReferenceKind, own: u64, touching_pairs: usize) ->
 /// Where a body is, m.
 fn place_of(sample: &BodySample) -> [f64; 3] {
     sample.pose.translation.to_array()
-}
-
-/// The larger errors of both.
-fn larger(one: Option<&Vec<BodyError>>, other: Vec<BodyError>) -> Vec<BodyError> {
-    let Some(one) = one else { return other };
-    one.iter().zip(other).map(|(a, b)| a.max(b)).collect()
-}
-
-/// How far a body is from where another run has it.
-fn distance(one: &BodySample, other: &BodySample) -> BodyError {
-    let apart = (one.pose.translation - other.pose.translation).length();
-    BodyError::new(apart, one.pose.rotation.angle_to(other.pose.rotation))
-}
-
-/// What rounding alone may have done to a body of this size (m) until `t` (s).
-fn rounding(sample: &BodySample, size: f64, t: f64) -> BodyError {
-    let speed = sample.velocity.linear.length();
-    let turn = sample.velocity.angular.length();
-    let way = sample.pose.translation.abs().max_element() + speed * t + size;
-    BodyError::new(ROUNDING_OF_PLACES * way, ROUNDING_OF_PLACES * (1.0 + turn * t))
 }

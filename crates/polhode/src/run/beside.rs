@@ -5,7 +5,6 @@
 //! and by how much is part of the distance.
 
 use crate::error::SimulationError;
-use crate::error_estimate::effort::ErrorEstimation;
 use crate::error_estimate::references::StartOfRun;
 use crate::model::plane_of_motion::PlanarBodies;
 use crate::model::{Model, ModelBody};
@@ -13,11 +12,12 @@ use crate::report::frame::MotionKind;
 use crate::report::run_error::ReferenceKind;
 use crate::run::simulation::{Simulation, Start};
 use crate::run::start_overlap;
+use crate::scene::ErrorEstimation;
 use crate::scene::{Method, Scene, SceneError};
 use crate::solve::projection::{Removal, project_velocities};
 use crate::tier::settings::Settings;
 use polhode_dynamics::BodyState;
-use polhode_spatial::{DVec3, SplitMix64, Velocity};
+use polhode_spatial::{SplitMix64, Velocity};
 
 /// The longest step (s) and the largest tolerance of a reference by other steps under error control. Steps alone would
 /// change little where the tolerance bounds them, and the tolerance little where the steps do.
@@ -32,7 +32,7 @@ const SIGNS: u64 = 52;
 
 /// How many times shorter the steps under error control of another method are, and how much smaller its tolerance.
 const SHORTER_STEPS: f64 = 0.37;
-const SMALLER_TOLERANCE: f64 = 1e-2;
+const SMALLER_TOLERANCE: f64 = 1e-1;
 
 /// The smallest tolerance that rounding lets a step reach.
 const SMALLEST_TOLERANCE: f64 = 1e-13;
@@ -59,13 +59,25 @@ impl Simulation {
         let factor = effort.step_factor(begun);
         match kind {
             ReferenceKind::OtherMethod => self.other_method(effort),
+            ReferenceKind::Disturbed if self.disturbs_itself(effort) => ReferenceMethod {
+                settings: self.core.settings.as_resolved(),
+                method: self.scene.method().clone(),
+                words: "the method of the run".to_owned(),
+                weight: 1.0,
+            },
             // Other tiers make contacts at other times, and differences grow at those.
             ReferenceKind::OtherSteps | ReferenceKind::Disturbed => self.other_steps(factor),
         }
     }
 
-    /// Another tier, with steps as long as they may be in a quick estimate; in one that is compared with itself, steps and
-    /// tolerance as small as they may be.
+    /// Whether a disturbed run is one by the method of the run, and is compared with the run: what long steps at a
+    /// large tolerance make of rounding depends on the steps that error control happens to take.
+    pub(super) fn disturbs_itself(&self, effort: ErrorEstimation) -> bool {
+        effort == ErrorEstimation::Full && self.core.settings.controls_error()
+    }
+
+    /// Another tier, with steps as long as they may be in a quick estimate; in one that is compared with itself, steps
+    /// and tolerance as small as they may be.
     fn other_method(&self, effort: ErrorEstimation) -> ReferenceMethod {
         let (own, scene) = (&self.core.settings, self.scene.method());
         let tier = own.tier.facts().second_opinion;
@@ -184,7 +196,7 @@ impl Simulation {
     }
 
     /// Changes the velocities of the bodies that do not rest by this part of them. Those that are about to begin get
-    /// that part of the speed of a fall over their own size.
+    /// that part of the speed of a fall over their own size, up or down: what moves in a plane stays in it.
     fn disturb(
         &self,
         model: &Model,
@@ -202,7 +214,7 @@ impl Simulation {
             let mut velocity = rigid.center_of_mass_velocity(&states[body]);
             if velocity == Velocity::ZERO {
                 let speed = (model.gravity().length() * own.size).sqrt();
-                velocity.linear = DVec3::new(sign(), sign(), sign()) * speed;
+                velocity.linear = model.gravity().normalize_or_zero() * (sign() * speed);
             } else {
                 velocity = Velocity::new(velocity.linear * (1.0 + sign()), velocity.angular * (1.0 + sign()));
             }

@@ -9,6 +9,7 @@
 //! | `steering` | kinematic bodies that a program steers |
 //! | `stability` | [`Stability`](crate::Stability): how far bodies at rest are from moving |
 //! | `accompany` | runs beside this one are begun, followed and compared with it, to estimate its error |
+//! | `distances` | how far it is from them, and what that says of its errors |
 //! | `pieces` | pieces of a run that another method computes again where bodies touch |
 //! | `tell_errors` | the estimated errors of samples, for the observer |
 //! | `beside` | how such a run begins: by which method, steps and states |
@@ -18,6 +19,7 @@
 mod accompany;
 mod actions;
 mod beside;
+mod distances;
 mod engines;
 mod pieces;
 mod restoring;

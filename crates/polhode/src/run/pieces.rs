@@ -4,11 +4,11 @@
 //! therefore begin at the last comparison before that, and go on until bodies have come apart or they cost too much.
 //! What they add to the errors of the bodies stays, and is added at the same rate where bodies touch and no piece runs.
 
-use crate::error_estimate::effort::ErrorEstimation;
 use crate::error_estimate::references::{Part, Reference};
 use crate::report::run_error::ReferenceKind;
 use crate::run::accompany::{Ending, beginning, spent};
 use crate::run::simulation::Simulation;
+use crate::scene::ErrorEstimation;
 
 /// Pieces that must be payable where bodies only touch: one of them is kept for the next event.
 const PIECES_KEPT: f64 = 2.0;

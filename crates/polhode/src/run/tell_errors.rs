@@ -3,11 +3,11 @@
 //! A run is compared with its references now and then (`accompany`). A sample between two comparisons has the larger
 //! errors of both, one before the first comparison those of the first.
 
-use crate::error_estimate::effort::ErrorEstimation;
 use crate::error_estimate::references::References;
 use crate::report::observer::Observer;
 use crate::report::run_error::BodyError;
 use crate::run::simulation::Simulation;
+use crate::scene::ErrorEstimation;
 
 impl Simulation {
     /// Tells the observer the errors of the samples that lie before the last comparison. At the end of the run, and

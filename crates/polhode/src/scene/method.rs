@@ -3,6 +3,7 @@
 //! A setting that is given is used as it is; for one that is absent the tier or the plan chooses. The enumerations here
 //! have only members that are implemented, so that a scene cannot ask for others.
 
+use super::ErrorEstimation;
 use super::SceneError;
 use super::laws::{
     BroadPhaseMethod, ContactMethod, Coordinates, ImpactLaw, Integrator, Orientation, PropagationOrder, PulseExponent,
@@ -11,7 +12,6 @@ use super::laws::{
 use super::penalty::PenaltyMethod;
 use super::promise::PromiseChanges;
 use super::tiers::Tier;
-use crate::error_estimate::effort::ErrorEstimation;
 use polhode_response::RestitutionLaw;
 
 /// Most substeps of a step: beyond, a shorter step costs no more.

@@ -23,6 +23,7 @@
 //! | `laws` | [`ImpactLaw`], [`ContactMethod`], [`Response`], [`Integrator`] and other choices of a method |
 //! | `restitution` | [`RestitutionSpeed`]: restitution that falls with speed |
 //! | `penalty` | [`PenaltyMethod`]: the springs of the tier `penalty`; `spring_checks` says when they are refused |
+//! | `error_estimation` | [`ErrorEstimation`]: how the error of a run is estimated |
 //! | `promise` | [`Promise`]: how far a run may be from its scene and still end well |
 //! | `pairs` | how many pairs of bodies may collide |
 //! | `tiers` | [`Tier`]: the names of the tiers |
@@ -36,6 +37,7 @@ mod coordinate_motion;
 mod copies;
 pub(crate) mod effects;
 mod error;
+mod error_estimation;
 pub(crate) mod few_digits;
 mod force;
 mod freedom;
@@ -65,6 +67,7 @@ pub use coordinate_motion::CoordinateMotion;
 pub use copies::{CopyError, ListOrder, SceneCopy};
 pub(crate) use error::{MOST_NAMES, positive};
 pub use error::{OverlapAtStart, SceneError};
+pub use error_estimation::ErrorEstimation;
 pub(crate) use force::MovingFrames;
 pub use force::{Attachment, Force};
 pub use freedom::{Coordinate, Drive, Freedom, FreedomError, JointFriction, Limits, LimitsError, Motor};

@@ -6,9 +6,9 @@
 use super::numbers::{Contact, Kinematics, State, Vector};
 use super::springs::Penalty;
 use crate::error_estimate::course::Course;
-use crate::error_estimate::effort::ErrorEstimation;
 use crate::model::plane_of_motion::PlanarParts;
 use crate::report::run_error::{BodyError, ReferenceKind};
+use crate::scene::ErrorEstimation;
 use serde::{Deserialize, Serialize};
 
 /// A simulation at a time.

@@ -9,7 +9,7 @@ use crate::support::{ball, brick, floor};
 use polhode::contact::Shape;
 use polhode::scene::{Material, Method, Tier};
 use polhode::spatial::{DVec3, Pose, Rotation, Velocity};
-use polhode::{Body, Geometry, Outcome, RunReport, Scene, SceneBuilder, Simulation};
+use polhode::{Body, ErrorEstimation, Geometry, Outcome, RunReport, Scene, SceneBuilder, Simulation};
 
 const STEP_S: f64 = 1.0 / 60.0;
 
@@ -18,7 +18,7 @@ fn material(friction: f64, restitution: f64) -> Material {
 }
 
 fn run(scene: SceneBuilder) -> RunReport {
-    Simulation::new(&scene.build().unwrap()).unwrap().run().unwrap()
+    Simulation::new(&scene.build().unwrap()).unwrap().estimating(ErrorEstimation::Off).run().unwrap()
 }
 
 /// A ball that hits a floor obliquely gets the spin at which it rolls, or all that friction gives:

@@ -120,8 +120,10 @@ fn a_tier_of_fixed_steps_degrades_a_run_whose_bodies_overlap() {
 #[test]
 fn a_scene_sets_its_own_promise() {
     let overlap = |limit: f64| PromiseChanges { overlap: Some(limit), ..PromiseChanges::default() };
-    let wide = ball_of_the_thesis(0.01, overlap(0.5));
+    let wide = ball_of_the_thesis(0.01, PromiseChanges { error: Some(10.0), ..overlap(0.5) });
     assert_eq!((wide.outcome, wide.plan.promise.overlap), (Outcome::Completed, OverlapLimit::OfSize(0.5)));
+    // The error of the ball is what such an overlap leaves.
+    assert_eq!(ball_of_the_thesis(0.01, overlap(0.5)).outcome, Outcome::Degraded);
     assert_eq!(ball_of_the_thesis(0.001, overlap(1e-4)).outcome, Outcome::Degraded);
     for limit in [0.0, -1.0, f64::NAN, f64::INFINITY] {
         assert!(overlap(limit).validate().unwrap_err().to_string().contains("promise.overlap"), "{limit}");
