@@ -10,8 +10,8 @@ const CREDIT: f64 = 800.0;
 /// costs more than to go on.
 const AHEAD: f64 = 0.15;
 
-/// Part of the run after which its rest is foreseen (no unit, 0.001 to 0.1).
-pub(crate) const FORESEEN_AFTER: f64 = 0.01;
+/// Part of the run that it has come through at least when its rest is foreseen (no unit, 0.001 to 0.1).
+const FORESEEN_AFTER: f64 = 0.01;
 
 /// Comparisons that a reference must be able to make, at the cost of the last one of its kind, to begin.
 pub(crate) const LEAST_COMPARISONS: f64 = 8.0;
@@ -31,6 +31,7 @@ pub(crate) struct Allowed {
 pub(crate) fn allowed(effort: ErrorEstimation, own: u64, part: f64) -> Allowed {
     let share = effort.share() * own as f64;
     let at_once = share + CREDIT;
-    let rest = if part > FORESEEN_AFTER { share * ((1.0 - part) / part).max(0.0) } else { 0.0 };
+    let part = part.max(FORESEEN_AFTER);
+    let rest = share * ((1.0 - part) / part).max(0.0);
     Allowed { at_once, ahead: at_once + AHEAD * rest, of_rest: rest }
 }

@@ -2,7 +2,7 @@
 //! hundredth of a body.
 //!
 //! Two runs by one method begin with the run, and their starts differ by rounding: by that of the run with longer
-//! steps; in a full estimate under error control one of the two is the run itself. With `D(t)` the largest distance of
+//! steps; under error control one of the two is the run itself. With `D(t)` the largest distance of
 //! the two so far, of the size of a body, a difference that was there at `s` has grown by
 //!
 //! `G(s, t) = D(t) / D(s)`
@@ -21,10 +21,6 @@ pub(crate) const ROUNDING_OF_START: f64 = f64::EPSILON;
 /// The part of a body to which a difference has grown at the horizon.
 const HORIZON: f64 = 1e-2;
 
-/// How much a difference may grow from one comparison to the next under error control (no unit): what grows more comes
-/// from steps that error control has chosen otherwise.
-const LARGEST_GROWTH: f64 = 1e6;
-
 /// How a difference of rounding has grown so far.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Growth {
@@ -41,11 +37,6 @@ impl Default for Growth {
 }
 
 impl Growth {
-    /// Whether the two runs under error control have taken other steps, so that their distance is none of rounding.
-    pub(crate) fn is_of_other_steps(&self, distance: f64) -> bool {
-        distance > LARGEST_GROWTH * self.distance
-    }
-
     /// Notes the distance of the two runs at `t` (s). By how much a difference has grown since the last one.
     pub(crate) fn note(&mut self, t: f64, distance: f64) -> f64 {
         let before = self.distance;

@@ -7,7 +7,7 @@
 //! report says why; no other one of its kind begins then.
 
 use crate::error::SimulationError;
-use crate::error_estimate::budget::{Allowed, FORESEEN_AFTER, LEAST_COMPARISONS, allowed};
+use crate::error_estimate::budget::{Allowed, LEAST_COMPARISONS, allowed};
 use crate::error_estimate::course::Course;
 use crate::error_estimate::growth::ROUNDING_OF_START;
 use crate::error_estimate::references::{Part, Reference, ReferenceBegin, References, StartOfRun};
@@ -86,8 +86,8 @@ impl Simulation {
         course.start = self.tier.samples(&self.core).iter().map(place_of).collect();
         self.references.start = Some(start);
         self.begin_due();
-        // What the start has to settle shows soon.
-        self.references.course.next_s = start_s + FORESEEN_AFTER * (self.scene.duration_s() - start_s);
+        // The first step shows what the start has to settle.
+        self.references.course.next_s = start_s;
     }
 
     /// The kinds of references of an effort.
@@ -118,7 +118,7 @@ impl Simulation {
     /// Begins a reference of a kind there. A piece goes on from the errors that are known then.
     pub(super) fn begin_reference(&mut self, kind: ReferenceKind, from: &StartOfRun, part: Part) {
         let is_shared = |own: &&Reference<Self>| kind == ReferenceKind::Disturbed && own.begun_s == from.t_s;
-        let disturbs_itself = self.disturbs_itself(self.references.effort);
+        let disturbs_itself = self.disturbs_itself();
         let shared = self.references.by_steps().filter(is_shared).filter(|_| !disturbs_itself);
         // A disturbed run is compared with the one by other steps, and has its steps.
         let number = shared.map_or(self.references.course.of(kind).begun, |own| own.number);
@@ -240,10 +240,6 @@ impl Simulation {
                 Some(error.to_string())
             }
             Ending::TooCostly => Some("it costs more than the estimate may".to_owned()),
-            Ending::OtherSteps => {
-                own.has_failed = true;
-                Some("error control has chosen other steps for it".to_owned())
-            }
             Ending::Apart => Some("it accompanies contacts only".to_owned()),
         };
     }
@@ -251,7 +247,7 @@ impl Simulation {
     /// Ends a disturbed run whose partner, the one by other steps, has ended.
     fn end_without_partner(&mut self, running: &mut Vec<Reference<Self>>) {
         let has_partner = running.iter().any(|own| own.kind == ReferenceKind::OtherSteps && own.is_whole);
-        if has_partner || self.disturbs_itself(self.references.effort) {
+        if has_partner || self.disturbs_itself() {
             return;
         }
         let is_alone = |own: &Reference<Self>| own.kind == ReferenceKind::Disturbed && own.partner.is_none();
@@ -286,7 +282,7 @@ impl Simulation {
         for kind in self.kinds(self.references.effort) {
             let allowed = self.allowed();
             let interval_s = self.next_comparison() - t;
-            let disturbs_itself = self.disturbs_itself(self.references.effort);
+            let disturbs_itself = self.disturbs_itself();
             let touching_pairs = self.tier.touching_pairs();
             let references = &mut self.references;
             let known = references.course.of(kind);
@@ -470,8 +466,6 @@ pub(super) enum Ending {
     TooCostly,
     /// Bodies have come apart, and it accompanies contacts.
     Apart,
-    /// It has other steps than the run with which it is compared.
-    OtherSteps,
 }
 
 /// The start of references as plain data.

@@ -3,7 +3,6 @@
 use crate::error_estimate::references::{Reference, References};
 use crate::report::observer::BodySample;
 use crate::report::run_error::{BodyError, ReferenceKind};
-use crate::run::accompany::Ending;
 use crate::run::simulation::Simulation;
 use polhode_spatial::DVec3;
 
@@ -45,26 +44,17 @@ impl Simulation {
     /// Notes how far a disturbed run is from its partner: another one, the run by other steps, or the run itself.
     fn note_disturbed(&mut self, samples: &[BodySample], sizes: &[f64]) -> Amplification {
         let t = self.core.t;
-        let disturbs_itself = self.disturbs_itself(self.references.effort);
-        let chooses_steps = self.core.settings.controls_error() && !disturbs_itself;
         let running = &self.references.running;
         let none = Amplification { growth: 1.0, distances: Vec::new() };
-        let Some(place) = running.iter().position(|own| own.kind == ReferenceKind::Disturbed) else { return none };
-        let reference = &running[place];
+        let Some(reference) = running.iter().find(|own| own.kind == ReferenceKind::Disturbed) else { return none };
         let others = samples_of(&reference.run);
         let partner = reference.partner.as_deref().or(self.references.by_steps().map(|own| &*own.run));
-        let distances = match partner.filter(|_| !disturbs_itself) {
+        let distances = match partner.filter(|_| !self.disturbs_itself()) {
             Some(partner) => distances(&samples_of(partner), &others),
             None => distances(samples, &others),
         };
         let (largest, covered_s) = (largest(&distances, sizes), t - reference.begun_s);
         let course = &mut self.references.course;
-        if chooses_steps && course.growth.is_of_other_steps(largest) {
-            let mut running = std::mem::take(&mut self.references.running);
-            self.end_reference(&mut running, place, Ending::OtherSteps);
-            self.references.running = running;
-            return none;
-        }
         let known = course.of_mut(ReferenceKind::Disturbed);
         (known.largest, known.covered_s) = (known.largest.max(largest), covered_s);
         Amplification { growth: course.growth.note(t, largest), distances }
