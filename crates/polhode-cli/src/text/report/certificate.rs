@@ -41,25 +41,25 @@ fn lengths(table: &mut Table, report: &RunReport) {
     let rows = [
         Length {
             name: "largest projection, distance",
-            length_m: certificate.max_projection_m,
+            value_m: certificate.max_projection_m,
             of_limit: certificate.max_projection_of_limit,
             at: certificate.max_projection_at,
         },
         Length {
             name: "largest penetration",
-            length_m: certificate.max_penetration_m,
+            value_m: certificate.max_penetration_m,
             of_limit: certificate.max_penetration_of_limit,
             at: certificate.max_penetration_at,
         },
         Length {
             name: "  of the samples alone",
-            length_m: certificate.max_sample_penetration_m,
+            value_m: certificate.max_sample_penetration_m,
             of_limit: certificate.max_sample_penetration_of_limit,
             at: certificate.max_sample_penetration_at,
         },
     ];
-    for Length { name, length_m, of_limit, at } in rows.into_iter().filter(|row| row.length_m > 0.0) {
-        table.row([name, &format!("{} m{}{}", number(length_m), of_its_limit(of_limit), self::at(report, at))]);
+    for Length { name, value_m, of_limit, at } in rows.into_iter().filter(|row| row.value_m > 0.0) {
+        table.row([name, &format!("{} m{}{}", number(value_m), of_its_limit(of_limit), self::at(report, at))]);
     }
     let (apart, turned) = (certificate.max_joint_error_m, certificate.max_joint_error_rad);
     let parts = [(apart, "m"), (turned, "rad")].into_iter().filter_map(|(error, unit)| {
@@ -77,7 +77,7 @@ fn lengths(table: &mut Table, report: &RunReport) {
 /// A length that is held against a limit.
 struct Length {
     name: &'static str,
-    length_m: f64,
+    value_m: f64,
     of_limit: f64,
     at: Option<PairAt>,
 }
