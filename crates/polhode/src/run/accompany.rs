@@ -256,15 +256,21 @@ impl Simulation {
         }
     }
 
-    /// Repeats a run that has ended with other steps, where it was too short for anything else: one that costs more
-    /// than the estimate may is better than none.
+    /// Repeats a run that has ended with other steps, where it was too short for anything else: one that costs as much
+    /// as the run is better than none.
     fn repeat_with_other_steps(&mut self) {
         let Some(start) = self.references.start.take() else { return };
         self.begin_reference(ReferenceKind::OtherSteps, &start, Part::Whole);
+        let most = self.allowed().ahead + self.core.work as f64;
         let mut running = std::mem::take(&mut self.references.running);
-        if let Some(Err(error)) = running.last_mut().map(|own| own.bring_to(self.core.t, f64::INFINITY)) {
+        let ending = match running.last_mut().map(|own| own.bring_to(self.core.t, most)) {
+            Some(Err(error)) => Some(Ending::Failed(error)),
+            Some(Ok(false)) => Some(Ending::TooCostly),
+            _ => None,
+        };
+        if let Some(ending) = ending {
             let last = running.len() - 1;
-            self.end_reference(&mut running, last, Ending::Failed(error));
+            self.end_reference(&mut running, last, ending);
         }
         self.references.running = running;
     }
