@@ -183,9 +183,10 @@ impl Simulation {
             let of_rest = self.references.course.of(kind).per_second * (self.scene.duration_s() - t);
             let reference = &mut running[place];
             reference.comparisons += 1;
-            let is_foreseen = kind == ReferenceKind::OtherMethod
-                && reference.is_whole
-                && reference.comparisons == COMPARISONS_TO_FORESEE;
+            // Longer fixed steps cost a known part of the run: they go on while they can.
+            let may_cost_anything = kind == ReferenceKind::OtherMethod || self.core.settings.controls_error();
+            let is_foreseen =
+                may_cost_anything && reference.is_whole && reference.comparisons == COMPARISONS_TO_FORESEE;
             match reached {
                 // A whole one that cannot be paid for to the end leaves what is left to others.
                 Ok(true) if is_foreseen && of_rest > now.of_rest + now.at_once - reference.work() as f64 => {
