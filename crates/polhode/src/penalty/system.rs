@@ -49,6 +49,7 @@ impl SpringSystem<'_> {
 
     /// Sets the states of the group, and those of kinematic bodies, from its flat state at `t` (s).
     pub(super) fn set_states(&mut self, t: f64, flat: &[f64]) {
+        self.model.work.add((self.bodies.len() + self.springs.len()) * work::OF_BODY);
         for (&body, numbers) in self.bodies.iter().zip(flat.as_chunks::<WIDTH>().0) {
             self.states[body] = BodyState::from_array(numbers);
         }
@@ -182,7 +183,6 @@ impl System for SpringSystem<'_> {
 
     fn derivative(&mut self, t: f64, flat: &[f64], rates: &mut [f64]) -> Result<(), Infallible> {
         self.set_states(t, flat);
-        self.model.work.add((self.bodies.len() + self.springs.len()) * work::OF_BODY);
         let loads = self.model.loads_on(t, self.states, self.bodies);
         free_rates(self.model, (self.bodies, self.states), &loads, flat, rates);
         let first = self.bodies.len() * WIDTH;
