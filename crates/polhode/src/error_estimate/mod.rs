@@ -4,7 +4,7 @@
 //! |---|---|
 //! | another method | its distance from the run is the error of the run, where the other method is far more accurate |
 //! | other steps | its distance is a multiple `1/c` of the error, by the order of the method in the steps |
-//! | a start disturbed by rounding | two runs by other steps: how the motion amplifies small differences |
+//! | a start disturbed by rounding | two runs by one method: how the motion amplifies small differences |
 //!
 //! A reference that began with the run is compared with all that has happened: the error of a body is `c d`, with `d`
 //! the distance of the two. Pieces that begin later, at `t_b`, from the states of the run then, add to the error there,

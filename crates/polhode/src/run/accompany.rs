@@ -80,14 +80,19 @@ impl Simulation {
         let course = &mut self.references.course;
         course.has_begun = true;
         course.compared_s = start.t_s;
-        let start_s = start.t_s;
-        course.start_s = start_s;
+        course.start_s = start.t_s;
         course.beginning = self.core.work;
         course.start = self.tier.samples(&self.core).iter().map(place_of).collect();
         self.references.start = Some(start);
         self.begin_due();
-        // The first step shows what the start has to settle.
-        self.references.course.next_s = start_s;
+        // Beside another method the first step shows what the start has to settle.
+        self.references.course.next_s = if self.begins_with_method() { self.core.t } else { self.next_comparison() };
+    }
+
+    /// Whether a run by another method is the first to begin. Others begin after it has been compared once: their first
+    /// step would be no longer than that of the run.
+    fn begins_with_method(&self) -> bool {
+        self.core.settings.tier.facts().compared_first == ReferenceKind::OtherMethod
     }
 
     /// The kinds of references of an effort.
@@ -289,12 +294,14 @@ impl Simulation {
         for kind in self.kinds(self.references.effort) {
             let allowed = self.allowed();
             let interval_s = self.next_comparison() - t;
-            let disturbs_itself = self.disturbs_itself();
+            let (disturbs_itself, begins_with_method) = (self.disturbs_itself(), self.begins_with_method());
             let touching_pairs = self.tier.touching_pairs();
             let references = &mut self.references;
             let known = references.course.of(kind);
+            let is_too_soon = begins_with_method && t == references.course.start_s;
             let is_needless = match kind {
                 ReferenceKind::OtherMethod => false,
+                _ if is_too_soon => true,
                 ReferenceKind::OtherSteps => {
                     let is_best = |own: &Reference<Self>| own.kind == ReferenceKind::OtherMethod && own.is_whole;
                     references.effort == ErrorEstimation::Quick && references.running.iter().any(is_best)
