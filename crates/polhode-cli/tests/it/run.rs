@@ -205,7 +205,7 @@ fn samples_have_their_errors() {
     assert!(lines.next().unwrap().ends_with(",wz,error_m,error_rad"), "{text}");
     for line in lines {
         // The name of the body has a comma.
-        let mut numbers = line.rsplit(',').map(|field| field.parse::<f64>());
+        let mut numbers = line.rsplit(',').map(str::parse::<f64>);
         let numbers: [f64; 15] = std::array::from_fn(|_| numbers.next().unwrap().unwrap());
         let [error_rad, error_m, ..] = numbers;
         let t: f64 = line.split(',').next().unwrap().parse().unwrap();
