@@ -281,14 +281,11 @@ impl Run {
             }
         };
         printed.map_err(|failure| (told, failure))?;
-        match report.outcome {
-            Outcome::Completed | Outcome::Stopped => match opinion.and_then(|own| own.contradiction(scene.name())) {
-                Some(contradiction) => Err((told, Failure::Degraded(contradiction))),
-                None => Ok(()),
-            },
-            // An outcome of which nothing else is known is not a good one.
-            _ => Err((told, Failure::Degraded(degraded(report)))),
-        }
+        // An outcome of which nothing else is known is not a good one.
+        let is_good = matches!(report.outcome, Outcome::Completed | Outcome::Stopped);
+        let contradiction = opinion.and_then(|own| own.contradiction(scene.name()));
+        let wrong: Vec<String> = (!is_good).then(|| degraded(report)).into_iter().chain(contradiction).collect();
+        if wrong.is_empty() { Ok(()) } else { Err((told, Failure::Degraded(wrong.join("\n")))) }
     }
 }
 

@@ -431,7 +431,8 @@ impl Accounts {
         let name = &model.bodies[body].name;
         let what = format!(
             "the estimated error of {name} is {relative:.2e} of its size, and beyond {allowed:e}, which is promised, \
-             from t = {since_s} s on"
+             from t = {} s on",
+            since_s as f32
         );
         Some(BrokenPromise::exceeding(what, relative, allowed).at(largest.t_s).of((body, body)).cured_by(limits.remedy))
     }

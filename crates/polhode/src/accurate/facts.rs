@@ -36,7 +36,7 @@ pub(crate) const FACTS: TierFacts = TierFacts {
     second_opinion: Tier::Accurate,
     compared_first: ReferenceKind::OtherSteps,
     promise: PROMISE,
-    remedy: "from there on the motion is not to be trusted; a smaller method.tolerance may help",
+    remedy: "a smaller method.tolerance may help",
     features: &[
         TierFeature::Friction,
         TierFeature::Joints,

@@ -54,7 +54,8 @@ impl fmt::Display for BrokenPromise {
             return write!(f, "{} (degraded)", self.what);
         }
         if let Some(t_s) = self.t_s {
-            write!(f, "t = {t_s} s: ")?;
+            // As many digits as a reader needs.
+            write!(f, "t = {} s: ", t_s as f32)?;
         }
         write!(f, "degraded: {}", self.what)?;
         match &self.cure {

@@ -58,7 +58,7 @@ fn exceeded(report: &RunReport, broken: &BrokenPromise) -> String {
 
 /// Whether what is exceeded is the limit of the estimated error, which the lines above have told in full.
 fn is_estimated_error(report: &RunReport, broken: &BrokenPromise) -> bool {
-    broken.bodies.is_none() && broken.value.is_some() && broken.value == report.error.relative()
+    broken.value.is_some() && broken.value == report.error.relative()
 }
 
 /// What comes nearest to its limit, where none is exceeded.
