@@ -23,7 +23,9 @@ impl Assembly {
         memory: &mut Memory,
     ) -> Result<Answer, ResponseError> {
         let answer = solve(&self.with(known), ask, memory)?;
-        if answer.report.tried.contains(Method::InteriorPoint) {
+        // Linear programmes are solved by an interior point.
+        let report = &answer.report;
+        if report.tried.contains(Method::InteriorPoint) || report.method == Method::LinearProgramme {
             self.work.add(work::OF_ROW_BY_INTERIOR_POINT * self.problem.len());
         }
         Ok(answer)

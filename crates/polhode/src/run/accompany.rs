@@ -27,8 +27,8 @@ const COMPARISONS: f64 = 100.0;
 /// Comparisons after which it is foreseen what a whole reference will cost.
 const COMPARISONS_TO_FORESEE: u32 = 4;
 
-/// Rows of a pair that touches, in three directions at four points.
-const ROWS_OF_PAIR: usize = 12;
+/// Points at which a pair touches.
+const POINTS_OF_PAIR: usize = 4;
 
 /// Rows of another method from which on each further one costs as much.
 const ROWS_COUPLED_AT_ONCE: usize = 400;
@@ -287,6 +287,18 @@ impl Simulation {
         allowed(self.references.effort, self.core.work, (self.core.t - begun_s) / (self.scene.duration_s() - begun_s))
     }
 
+    /// Units of work that a reference of a kind may need to begin. The first step of another method solves for the
+    /// contact forces of the pairs that touch at every stage.
+    pub(super) fn beginning(&self, kind: ReferenceKind) -> f64 {
+        let own = self.references.course.beginning as f64;
+        if kind != ReferenceKind::OtherMethod {
+            return own;
+        }
+        let directions = if self.core.model.surfaces.have_friction() { 3 } else { 1 };
+        let rows = POINTS_OF_PAIR * directions * self.tier.touching_pairs();
+        own + (work::OF_STEP * rows * rows.min(ROWS_COUPLED_AT_ONCE) / work::ROWS_OF_UNIT) as f64
+    }
+
     /// Begins references that the run can pay for now: whole ones, from its start, if it can pay for all of their way,
     /// else pieces.
     fn begin_due(&mut self) {
@@ -295,7 +307,7 @@ impl Simulation {
             let allowed = self.allowed();
             let interval_s = self.next_comparison() - t;
             let (disturbs_itself, begins_with_method) = (self.disturbs_itself(), self.begins_with_method());
-            let touching_pairs = self.tier.touching_pairs();
+            let of_beginning = self.beginning(kind);
             let references = &mut self.references;
             let known = references.course.of(kind);
             let is_too_soon = begins_with_method && t == references.course.start_s;
@@ -325,7 +337,7 @@ impl Simulation {
             };
             let per_second = known.per_second.max(alike);
             let left = allowed.at_once - spent(&references.course, &references.running);
-            let to_begin = runs * beginning(kind, references.course.beginning, touching_pairs);
+            let to_begin = runs * of_beginning;
             let of_rest = per_second * (self.scene.duration_s() - t).max(0.0);
             let start = references.start.take_if(|start| {
                 let needed = to_begin + per_second * (t - start.t_s);
@@ -495,17 +507,6 @@ pub(super) fn spent(course: &Course, running: &[Reference<Simulation>]) -> f64 {
 /// Units of work of the references that run.
 fn of_running(running: &[Reference<Simulation>]) -> f64 {
     running.iter().map(Reference::work).sum::<u64>() as f64
-}
-
-/// Units of work that a reference of a kind may need to begin, where the beginning of the run has taken `own` and so
-/// many pairs touch. The first step of another method solves for their contact forces at every stage.
-pub(super) fn beginning(kind: ReferenceKind, own: u64, touching_pairs: usize) -> f64 {
-    let rows = ROWS_OF_PAIR * touching_pairs;
-    let first_step = work::OF_STEP * rows * rows.min(ROWS_COUPLED_AT_ONCE) / work::ROWS_OF_UNIT;
-    match kind {
-        ReferenceKind::OtherMethod => own as f64 + first_step as f64,
-        ReferenceKind::OtherSteps | ReferenceKind::Disturbed => own as f64,
-    }
 }
 
 /// Where a body is, m.

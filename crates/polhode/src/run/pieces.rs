@@ -6,7 +6,7 @@
 
 use crate::error_estimate::references::{Part, Reference};
 use crate::report::run_error::ReferenceKind;
-use crate::run::accompany::{Ending, beginning, spent};
+use crate::run::accompany::{Ending, spent};
 use crate::run::simulation::Simulation;
 use crate::scene::ErrorEstimation;
 
@@ -29,8 +29,7 @@ impl Simulation {
             || !self.kinds(self.references.effort).any(|one| one == kind);
         let known = self.references.course.of(kind);
         let Some(before) = before.filter(|_| !is_needless && !known.has_failed) else { return };
-        let to_begin = beginning(kind, self.references.course.beginning, touching_pairs);
-        let cost = to_begin + known.per_second * (self.core.t - before.t_s);
+        let cost = self.beginning(kind) + known.per_second * (self.core.t - before.t_s);
         let left = self.allowed().at_once - spent(&self.references.course, &self.references.running);
         if left >= cost * if has_met { 1.0 } else { PIECES_KEPT } {
             self.begin_reference(kind, &before, Part::Piece);
