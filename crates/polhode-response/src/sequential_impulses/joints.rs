@@ -61,6 +61,8 @@ pub struct JointImpulses {
     order: Vec<u32>,
     kept: Vec<Four>,
     pub(super) trees: JointTrees,
+    /// Rounds of all joints since they were put into batches.
+    rounds: usize,
 }
 
 /// Where a joint has gone.
@@ -101,8 +103,14 @@ impl JointImpulses {
         self.joints.len() - 1
     }
 
+    /// How many joints have been solved since they were put into batches, each as often as it was.
+    pub fn solved(&self) -> usize {
+        self.rounds * self.joints.len()
+    }
+
     /// Puts the joints into batches, without rows and impulses.
     pub fn prepare(&mut self, solver: &SequentialImpulses) {
+        self.rounds = 0;
         let moves = |body: u32| solver.body(body).is_moved();
         for joint in &mut self.joints {
             joint.bodies = joint.bodies.map(|body| if (body as usize) < solver.bodies.len() { body } else { 0 });
@@ -212,6 +220,7 @@ impl JointImpulses {
     ) -> f64 {
         let (mut all, mut largest) = (0.0, 0.0_f64);
         for round in 0..MOST_PASSES {
+            self.rounds += 1;
             let mut work = Four::default();
             for place in rounds_of(round, self.batches.len()) {
                 let batch = &mut self.batches[place];

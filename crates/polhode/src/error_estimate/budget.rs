@@ -27,11 +27,11 @@ pub(crate) struct Allowed {
     pub(crate) of_rest: f64,
 }
 
-/// What references may have taken when the run has taken `own` units and has come through this part of its duration.
-pub(crate) fn allowed(effort: ErrorEstimation, own: u64, part: f64) -> Allowed {
-    let share = effort.share() * own as f64;
-    let at_once = share + CREDIT;
+/// What references may have taken when the run has taken `own` units, so many of them to begin, and has come through
+/// this part of its duration.
+pub(crate) fn allowed(effort: ErrorEstimation, (own, beginning): (u64, u64), part: f64) -> Allowed {
+    let at_once = effort.share() * own as f64 + CREDIT;
     let part = part.max(FORESEEN_AFTER);
-    let rest = share * ((1.0 - part) / part).max(0.0);
+    let rest = effort.share() * own.saturating_sub(beginning) as f64 * ((1.0 - part) / part).max(0.0);
     Allowed { at_once, ahead: at_once + AHEAD * rest, of_rest: rest }
 }

@@ -310,6 +310,11 @@ impl Course {
         self.groups[..self.used].iter().map(|group| group.patches.len()).sum()
     }
 
+    /// How many joints were solved in the step, each as often as it was.
+    pub(super) fn joints_solved(&self) -> usize {
+        self.groups[..self.used].iter().map(Group::joints_solved).sum()
+    }
+
     /// The step of each group for itself.
     pub(super) fn solve(&mut self, model: &Model, executor: &dyn Executor, (t, rules): (f64, &Rules)) {
         let warm = if self.last_h > 0.0 { rules.h / self.last_h } else { 0.0 };

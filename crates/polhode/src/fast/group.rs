@@ -185,6 +185,11 @@ impl Group {
         self.report.given_j = self.members.iter().map(|member| member.given_j).sum();
     }
 
+    /// How many joints were solved in the step, each as often as it was.
+    pub(super) fn joints_solved(&self) -> usize {
+        self.held.solved()
+    }
+
     /// Joints and contacts in turns, while both are pushed softly to where they hold. What a contact gives a body its
     /// joints pass on, and what they then do at the contact it corrects: after one turn a limb that hits the ground
     /// would open its joint by as far as it flies in a substep.

@@ -154,6 +154,11 @@ impl Held {
         self.joints.sweep(solver, rule);
     }
 
+    /// How many joints were solved in the step, each as often as it was.
+    pub(super) fn solved(&self) -> usize {
+        self.joints.solved()
+    }
+
     /// What has collided in the step parts again while the joints hold. Returns what all did.
     pub(super) fn bounce(
         &mut self,

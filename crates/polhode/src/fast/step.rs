@@ -59,7 +59,8 @@ impl Stepping<'_> {
         let is_taken = piece(self.course, self.model, self.executor, (times, rules), divisions)?;
         // Which pairs are near depends on what the broad phase remembers: counted are those that touch.
         let of_patch = work::OF_PAIR + rules.substeps as usize / SUBSTEPS_OF_UNIT;
-        self.model.work.count_since(work_before, self.course.patches() * of_patch);
+        let of_patches = self.course.patches() * of_patch;
+        self.model.work.count_since(work_before, of_patches + self.course.joints_solved());
         if is_taken {
             (self.after)(self.course, times, &before, rules);
             return Ok(());

@@ -283,8 +283,9 @@ impl Simulation {
 
     /// What references may have taken by now.
     pub(super) fn allowed(&self) -> Allowed {
-        let begun_s = self.references.course.start_s;
-        allowed(self.references.effort, self.core.work, (self.core.t - begun_s) / (self.scene.duration_s() - begun_s))
+        let course = &self.references.course;
+        let part = (self.core.t - course.start_s) / (self.scene.duration_s() - course.start_s);
+        allowed(self.references.effort, (self.core.work, course.beginning), part)
     }
 
     /// Units of work that a reference of a kind may need to begin. The first step of another method solves for the
