@@ -1,7 +1,7 @@
 //! The chart at the head of `docs/accuracy-and-cost.md`: contact, error against time, by every method; the same with
 //! one method highlighted for the page of that method; and the table of their best.
 
-use polhode_view::plot::cost_panels::{CostPanel, CostPanels, PanelBand, PanelCurve};
+use polhode_view::plot::cost_panels::{CostPanel, CostPanels, PanelBand, PanelCurve, PanelPoint};
 use serde_json::Value;
 use std::fmt::Write as _;
 
@@ -10,6 +10,11 @@ const MICRO: f64 = 1e6;
 
 /// Differences of laws below this are rounding: the laws are one law in that scene.
 const SAME_LAW: f64 = 1e-9;
+
+/// How to read the chart, and what one with highlighted methods shows beside.
+const HOW_TO_READ: &str =
+    "a line is a method from its cheapest setting to its dearest; lower is more accurate, further left is faster";
+const TOLD: &str = "a thin line ends at the error that the run told of itself";
 
 /// What selects an impact law: such a candidate shows a law, and is no method of its own.
 pub(crate) const LAW_KEY: &str = "method.impact";
@@ -41,9 +46,7 @@ pub(crate) fn svg(studies: &[ContactStudy<'_>], page: Option<&[&str]>) -> String
     let highlighted = names.filter(stands_out).cloned().collect();
     let chart = CostPanels {
         title: "Where bodies touch: how wrong each method is, and how long it takes".to_owned(),
-        subtitle: "a line is a method from its cheapest setting to its dearest; lower is more accurate, further left \
-            is faster"
-            .to_owned(),
+        subtitle: if page.is_some() { format!("{HOW_TO_READ}; {TOLD}") } else { HOW_TO_READ.to_owned() },
         across: "seconds of computing for each simulated second".to_owned(),
         up: "error (1: unrelated to the right motion)".to_owned(),
         panels,
@@ -56,7 +59,8 @@ fn panel(contact: &ContactStudy<'_>) -> CostPanel {
     let mut curves: Vec<PanelCurve> = Vec::new();
     for candidate in methods(contact.study) {
         let name = word(candidate, "method");
-        let point = [seconds(candidate), error(candidate)];
+        let estimated = candidate["estimated_error"].as_f64();
+        let point = PanelPoint { seconds: seconds(candidate), error: error(candidate), estimated };
         match curves.iter_mut().find(|curve| curve.name == name) {
             Some(curve) => curve.points.push(point),
             None => curves.push(PanelCurve { name: name.to_owned(), points: vec![point] }),
@@ -70,7 +74,7 @@ fn panel(contact: &ContactStudy<'_>) -> CostPanel {
 fn merged(mut curves: Vec<PanelCurve>) -> Vec<PanelCurve> {
     let place = |name: &str| curves.iter().position(|curve| curve.name == name);
     if let (Some(tier), Some(heuristic)) = (place("thesis"), place("heuristic")) {
-        let errors = |at: usize| curves[at].points.iter().map(|[_, error]| error.to_bits()).collect::<Vec<_>>();
+        let errors = |at: usize| curves[at].points.iter().map(|point| point.error.to_bits()).collect::<Vec<_>>();
         let (one, other) = (errors(tier), errors(heuristic));
         if one.starts_with(&other) || other.starts_with(&one) {
             curves.remove(heuristic);
@@ -123,8 +127,8 @@ fn candidates(study: &Value) -> impl Iterator<Item = &Value> {
     study["candidates"].as_array().into_iter().flatten()
 }
 
-/// The smallest error of a method, the shortest time that reaches it, and how far its law is from the scene's; or why
-/// there is none.
+/// The smallest error of a method, what that run told of its error, the shortest time that reaches it, and how far its
+/// law is from the scene's; or why there is none.
 fn best(study: &Value, method: &str) -> String {
     let own = methods(study).filter(|candidate| word(candidate, "method") == method);
     let Some(best) = own.min_by(|a, b| error(a).total_cmp(&error(b)).then(seconds(a).total_cmp(&seconds(b)))) else {
@@ -133,8 +137,9 @@ fn best(study: &Value, method: &str) -> String {
     };
     let law = best["law_difference"].as_f64().filter(|difference| *difference > SAME_LAW);
     let law = law.map_or_else(String::new, |difference| format!("; law {difference:.1e}"));
+    let told = best["estimated_error"].as_f64().map_or_else(String::new, |told| format!(" (told {told:.1e})"));
     let sign = if best["error"].as_f64().is_some_and(|own| own < error(best)) { "<= " } else { "" };
-    format!("{sign}{:.1e} in {:.1e}{law}", error(best), seconds(best))
+    format!("{sign}{:.1e}{told} in {:.1e}{law}", error(best), seconds(best))
 }
 
 /// Why a method did not run, in a word or two.
@@ -173,7 +178,7 @@ mod tests {
     fn study() -> Value {
         let ran = |method: &str, error: f64, micro: f64, law: Option<f64>| {
             json!({ "method": method, "changes": {}, "error": error, "known_error": error, "us_per_simulated_s": micro,
-                "law_difference": law })
+                "law_difference": law, "estimated_error": 2.0 * error })
         };
         json!({ "scene": "box", "candidates": [
             ran("accurate", 1e-14, 1e3, None),
@@ -193,7 +198,8 @@ mod tests {
         let panel = panel(&ContactStudy { title: "A box falls", study: &study });
         let names: Vec<&str> = panel.curves.iter().map(|curve| curve.name.as_str()).collect();
         assert_eq!(names, ["accurate", "fast", "thesis", "guesses"]);
-        assert_eq!(panel.curves[1].points, [[1e-4, 0.3], [1e-2, 0.02]]);
+        let point = |seconds, error| PanelPoint { seconds, error, estimated: Some(2.0 * error) };
+        assert_eq!(panel.curves[1].points, [point(1e-4, 0.3), point(1e-2, 0.02)]);
         assert_eq!(panel.band.map(|band| band.errors), Some([0.02, 0.07]));
     }
 
@@ -201,7 +207,11 @@ mod tests {
     fn the_table_has_the_best_of_each_and_reasons() {
         let study = study();
         let text = table(&[ContactStudy { title: "A box falls", study: &study }]);
-        for line in ["| method | box |\n", "| fast | 2.0e-2 in 1.0e-2; law 7.0e-2 |\n", "| penalty | too slow |\n"] {
+        for line in [
+            "| method | box |\n",
+            "| fast | 2.0e-2 (told 4.0e-2) in 1.0e-2; law 7.0e-2 |\n",
+            "| penalty | too slow |\n",
+        ] {
             assert!(text.contains(line), "{line}\n{text}");
         }
         assert!(!text.contains("pulse"));

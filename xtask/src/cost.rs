@@ -100,8 +100,8 @@ Within
 the band the choice of a [law of contact](contact-methods.md) matters more than the method. Where a line is missing, the
 method does not take the scene; the table says why. The heuristic is what the tier `thesis` does by itself: one line.
 
-The smallest error of each method in this study, the seconds of computing for each simulated second that it takes, and
-how far its law is from the scene's where that is another:
+The smallest error of each method in this study, the error that this run told of itself, the seconds of computing for each
+simulated second that it takes (without what the estimate takes), and how far its law is from the scene's where that is another:
 
 ";
 
@@ -145,8 +145,8 @@ step
 - **Velocity** and **energy** in the tables that `polhode cost` prints: the largest error of a velocity at the end \
 of the
   run, of the largest speed (0 where all have come to rest), and what integration lost or made of the energy.
-- **Estimated** there is the error that a run tells of itself, by runs beside it, which are not timed; it is empty where
-  they would take too long.
+- **Told** (*estimated* in the tables that `polhode cost` prints) is the error that a run tells of itself, by runs beside
+  it, which are not timed; it is empty where they would take too long. In the chart of a method a thin line leads there.
 - **Colours** are families of methods, markers their members.
 - The **Pareto front** has the methods for which no other has both a smaller error and a shorter time. In a figure it is
   the broad line: the smallest error at each time.
@@ -238,7 +238,8 @@ fn section(name: &str, what: &str, study: &Value) -> String {
 
     let mut front: Vec<&&Value> = candidates.iter().filter(|candidate| candidate["pareto"] == true).collect();
     front.sort_by(|a, b| cost(a).total_cmp(&cost(b)));
-    let _ = write!(text, "\nThe Pareto front:\n\n| method | setting | error | {unit} |\n|---|---|---|---|\n");
+    let _ =
+        write!(text, "\nThe Pareto front:\n\n| method | setting | error | told | {unit} |\n|---|---|---|---|---|\n");
     for candidate in front {
         let _ = writeln!(text, "| {} |", cells(candidate, study).join(" | "));
     }
@@ -251,7 +252,7 @@ fn section(name: &str, what: &str, study: &Value) -> String {
     let _ = write!(
         text,
         "\nEvery method {which}, and its cheapest setting for an error of {TARGET:e}:\n\n\
-         | method | setting | error | {unit} | reaches {TARGET:e} with | in |\n|---|---|---|---|---|---|\n"
+         | method | setting | error | told | {unit} | reaches {TARGET:e} with | in |\n|---|---|---|---|---|---|---|\n"
     );
     for method in methods(&candidates) {
         let own: Vec<&Value> =
@@ -330,7 +331,7 @@ fn row(method: &str, own: &[&Value], step: Option<&str>, study: &Value) -> Strin
     let nearest = ran.iter().min_by(|a, b| distance(a).total_cmp(&distance(b)));
     let Some(shown) = at_step.or(nearest) else {
         let reason = own.first().map_or("", |candidate| word(candidate, "failure"));
-        return format!("| {method} | | {} | | | |\n", reason.replace('|', "/"));
+        return format!("| {method} | | {} | | | | |\n", reason.replace('|', "/"));
     };
     let reaching =
         ran.iter().filter(|candidate| candidate["known_error"].as_f64().is_some_and(|error| error <= TARGET));
@@ -341,8 +342,8 @@ fn row(method: &str, own: &[&Value], step: Option<&str>, study: &Value) -> Strin
     format!("| {} | {setting} | {time} |\n", cells(shown, study).join(" | "))
 }
 
-/// Method, setting, error and cost of a candidate that ran.
-fn cells(candidate: &Value, study: &Value) -> [String; 4] {
+/// Method, setting, error, what the run told of it, and cost of a candidate that ran.
+fn cells(candidate: &Value, study: &Value) -> [String; 5] {
     let reference = candidate["reference"].as_u64().unwrap_or(0) as usize;
     let floor = study["references"][reference]["error"].as_f64().unwrap_or(0.0);
     let sign = if candidate["error"].as_f64().is_some_and(|error| error <= floor) { "<= " } else { "" };
@@ -350,6 +351,7 @@ fn cells(candidate: &Value, study: &Value) -> [String; 4] {
         word(candidate, "method").to_owned(),
         word(candidate, "setting").to_owned(),
         format!("{sign}{}", exponent(&candidate["known_error"])),
+        candidate["estimated_error"].as_f64().map_or_else(String::new, |told| format!("{told:.1e}")),
         amount(cost(candidate)),
     ]
 }
@@ -426,7 +428,7 @@ mod tests {
         json!({
             "method": method, "setting": format!("step {step}"), "changes": { "method.step": step }, "reference": 0,
             "error": error, "known_error": error.max(1e-9), "time_ratio": time, "instructions": null,
-            "pareto": method == "cf4",
+            "pareto": method == "cf4", "estimated_error": if step == "0.1" { Some(2.0 * error) } else { None },
         })
     }
 
@@ -445,9 +447,9 @@ mod tests {
         let text = section("test", "What it is.", &study);
         for part in [
             "Reference: finest, known to about 1.0e-9, confirmed by cf4 step 0.01 to 2.0e-9.",
-            "| cf4 | step 0.1 | <= 1.0e-9 | 0.50 |\n",
-            "| rk4 | step 0.1 | 1.0e-3 | 1.00 | step 0.01 | 10 |\n",
-            "| exact | | refused | | | |\n",
+            "| cf4 | step 0.1 | <= 1.0e-9 | 2.0e-12 | 0.50 |\n",
+            "| rk4 | step 0.1 | 1.0e-3 | 2.0e-3 | 1.00 | step 0.01 | 10 |\n",
+            "| exact | | refused | | | | |\n",
             "![error against cost](figures/cost-test.svg)",
         ] {
             assert!(text.contains(part), "{part}\n{text}");

@@ -46,8 +46,20 @@ const SHADED: f64 = 0.45;
 pub struct PanelCurve {
     /// Its name.
     pub name: String,
-    /// Time for each simulated second (s) and error of each setting.
-    pub points: Vec<[f64; 2]>,
+    /// Its settings.
+    pub points: Vec<PanelPoint>,
+}
+
+/// A setting of a method.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PanelPoint {
+    /// Time for each simulated second, s.
+    pub seconds: f64,
+    /// Its error.
+    pub error: f64,
+    /// The error that the run told of itself, where it told one: a thin line leads there where the method is
+    /// highlighted.
+    pub estimated: Option<f64>,
 }
 
 /// Errors between which something lies that is no error of a method.
@@ -102,8 +114,12 @@ struct Frame {
 }
 
 impl Frame {
-    fn spot(&self, [time, error]: [f64; 2]) -> Spot {
-        [self.left + self.x.part(libm::log10(time)) * (self.right - self.left), self.height(error)]
+    fn spot(&self, seconds: f64, error: f64) -> Spot {
+        [self.left + self.x.part(libm::log10(seconds)) * (self.right - self.left), self.height(error)]
+    }
+
+    fn spot_of(&self, point: &PanelPoint) -> Spot {
+        self.spot(point.seconds, point.error)
     }
 
     fn height_of_plot(&self) -> f64 {
@@ -150,9 +166,9 @@ impl CostPanels {
 
     fn frame(&self, number: usize) -> Frame {
         let points = || self.panels.iter().flat_map(|panel| &panel.curves).flat_map(|curve| &curve.points);
-        let x = Decades::around(points().map(|[time, _]| libm::log10(*time)).chain([libm::log10(REAL_TIME)]), ROOM);
+        let x = Decades::around(points().map(|point| libm::log10(point.seconds)).chain([libm::log10(REAL_TIME)]), ROOM);
         let y =
-            Decades::around(points().map(|[_, error]| libm::log10(error.min(LOST))).chain([libm::log10(LOST)]), ROOM);
+            Decades::around(points().map(|point| libm::log10(point.error.min(LOST))).chain([libm::log10(LOST)]), ROOM);
         let small = self.panels.len().saturating_sub(1).max(1) as f64;
         let width = (WIDTH - LEFT - RIGHT - GAP * (small - 1.0)) / small;
         let (left, outer, top, height, text, marker) = match number.checked_sub(1) {
@@ -180,7 +196,7 @@ impl CostPanels {
             draw_band(svg, frame, band);
             // Said once: the small panels have the same.
             if frame.height_of_plot() >= LARGE {
-                let end = frame.spot([REAL_TIME, band.errors[1]]);
+                let end = frame.spot(REAL_TIME, band.errors[1]);
                 let kind = Type::new(11.5, Ink::Faint).anchor(Anchor::End);
                 svg.text_on_ground([end[0] - 8.0, end[1] - 9.0], &band.text, kind);
             }
@@ -190,10 +206,13 @@ impl CostPanels {
         order.sort_by_key(|curve| self.is_seen(&curve.name));
         for curve in &order {
             let Some(Style { ink, marker }) = style(&curve.name) else { continue };
-            let spots: Vec<Spot> = curve.points.iter().map(|point| frame.spot(*point)).collect();
+            let spots: Vec<Spot> = curve.points.iter().map(|point| frame.spot_of(point)).collect();
             let (ink, width, seen) = if self.is_seen(&curve.name) { (ink, 2.0, 0.9) } else { (Ink::Grey, 1.0, SHADED) };
             if spots.len() > 1 {
                 svg.line(&spots, Stroke::new(ink, width).opacity(seen));
+            }
+            if !self.highlighted.is_empty() && self.is_seen(&curve.name) {
+                curve.points.iter().for_each(|point| draw_estimated(svg, frame, point, ink));
             }
             for spot in spots {
                 let size = if self.is_seen(&curve.name) { frame.marker } else { 0.6 * frame.marker };
@@ -212,7 +231,7 @@ impl CostPanels {
         style: &impl Fn(&str) -> Option<Style>,
     ) {
         let ends: Vec<Spot> =
-            curves.iter().filter_map(|curve| curve.points.last()).map(|point| frame.spot(*point)).collect();
+            curves.iter().filter_map(|curve| curve.points.last()).map(|point| frame.spot_of(point)).collect();
         let wanted: Vec<f64> = ends.iter().map(|end| end[1]).collect();
         let rows = label_rows(&wanted, frame.text + 3.0, [frame.top, frame.foot]);
         for ((curve, end), row) in curves.iter().zip(ends).zip(rows) {
@@ -243,11 +262,20 @@ fn draw_axes(svg: &mut Svg, frame: &Frame) {
             axes::mark(svg, [frame.left - 7.0, y], &mark, faint.anchor(Anchor::End));
         }
     }
-    let [x, _] = frame.spot([REAL_TIME, LOST]);
+    let [x, _] = frame.spot(REAL_TIME, LOST);
     svg.line(&[[x, frame.top], [x, frame.foot]], Stroke::new(Ink::Faint, 1.0).dashed(4.0, 3.0));
     svg.text_on_ground([x - 5.0, frame.foot - 9.0], "real time", faint.anchor(Anchor::End));
     let edge = [[frame.left, frame.top], [frame.left, frame.foot], [frame.right, frame.foot]];
     svg.line(&edge, Stroke::new(Ink::Faint, 1.0));
+}
+
+/// A thin line from the error of a setting to the one that it told of itself.
+fn draw_estimated(svg: &mut Svg, frame: &Frame, point: &PanelPoint, ink: Ink) {
+    let Some(estimated) = point.estimated.filter(|estimated| *estimated > 0.0) else { return };
+    let [x, y] = frame.spot_of(point);
+    let end = frame.height(estimated).min(frame.foot);
+    svg.line(&[[x, y], [x, end]], Stroke::new(ink, 1.0).opacity(0.7));
+    svg.line(&[[x - frame.marker, end], [x + frame.marker, end]], Stroke::new(ink, 1.4));
 }
 
 fn draw_band(svg: &mut Svg, frame: &Frame, band: &PanelBand) {

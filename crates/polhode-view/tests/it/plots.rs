@@ -7,7 +7,7 @@ use polhode::mesh::solid_sphere;
 use polhode::spatial::{DVec3, Mass, Pose, Velocity};
 use polhode::{Body, BodyError, BodySample, Observer, Scene, Simulation};
 use polhode_view::plot::cost_chart::{CostCurve, CostPoint, Level, OtherUnits, Rank, Target};
-use polhode_view::plot::cost_panels::{CostPanel, CostPanels, PanelBand, PanelCurve};
+use polhode_view::plot::cost_panels::{CostPanel, CostPanels, PanelBand, PanelCurve, PanelPoint};
 use polhode_view::plot::dot_chart::{Cell, Dot, Row};
 use polhode_view::plot::time_chart::{AxisKind, Course, EventRow, Line, Panel, Reach, Stop};
 use polhode_view::plot::{ComparePlot, ComparePlots, CostChart, DotChart, Ink, RunPlot, RunPlots, TimeChart, Trace};
@@ -245,7 +245,10 @@ fn a_study_of_any_kind_gives_a_figure() {
 /// Panels of nothing, of points that are none, of errors beyond any answer; one method highlighted.
 #[test]
 fn panels_of_any_kind_give_a_figure() {
-    let curve = |name: &str, points: &[[f64; 2]]| PanelCurve { name: name.to_owned(), points: points.to_vec() };
+    let curve = |name: &str, points: &[[f64; 2]]| {
+        let point = |&[seconds, error]: &[f64; 2]| PanelPoint { seconds, error, estimated: Some(2.0 * error) };
+        PanelCurve { name: name.to_owned(), points: points.iter().map(point).collect() }
+    };
     let band = Some(PanelBand { errors: [1e-2, 1e-2], text: "laws differ".to_owned() });
     let panel = |curves: Vec<PanelCurve>| CostPanel { title: "A box & a floor".to_owned(), curves, band: band.clone() };
     let figure = |panels: Vec<CostPanel>, highlighted: &[&str]| {

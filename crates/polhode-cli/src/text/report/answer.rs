@@ -5,7 +5,7 @@ use super::ended::Ended;
 use super::limits::{cure, limit, worst};
 use super::words::{about, name};
 use crate::text::table::{Table, number};
-use polhode::{ErrorEstimation, RunReport};
+use polhode::{ErrorEstimation, ReferenceKind, RunReport};
 use polhode_scene::names;
 
 /// One line for each answer. What is not to be said is left out.
@@ -61,8 +61,16 @@ fn right(report: &RunReport) -> String {
         Some(t_s) => {
             format!("no: {error}, where {limit} is promised, beyond it from t = {} s on; {farthest}", number(t_s))
         }
-        None => format!("yes: {error}, where {limit} is promised; {farthest}"),
+        None if is_compared(report) => format!("yes: {error}, where {limit} is promised; {farthest}"),
+        None => format!("yes, as far as it was compared: {error}, where {limit} is promised; {farthest}"),
     }
+}
+
+/// Whether the run was compared with another one for most of its time.
+fn is_compared(report: &RunReport) -> bool {
+    let of_run = |kind: ReferenceKind| kind != ReferenceKind::Disturbed;
+    let covered = report.error.references.iter().filter(|own| of_run(own.kind)).map(|own| own.covered_s);
+    2.0 * covered.sum::<f64>() >= report.simulated_s
 }
 
 /// Why an error is not known.
