@@ -100,8 +100,10 @@ Within
 the band the choice of a [law of contact](contact-methods.md) matters more than the method. Where a line is missing, the
 method does not take the scene; the table says why. The heuristic is what the tier `thesis` does by itself: one line.
 
-The smallest error of each method in this study, the error that this run told of itself, the seconds of computing for each
-simulated second that it takes (without what the estimate takes), and how far its law is from the scene's where that is another:
+The smallest error of each method in this study, the error that this run told of itself, \
+the seconds of computing for each
+simulated second that it takes (without what the estimate takes), \
+and how far its law is from the scene's where that is another:
 
 ";
 
@@ -145,7 +147,8 @@ step
 - **Velocity** and **energy** in the tables that `polhode cost` prints: the largest error of a velocity at the end \
 of the
   run, of the largest speed (0 where all have come to rest), and what integration lost or made of the energy.
-- **Told** (*estimated* in the tables that `polhode cost` prints) is the error that a run tells of itself, by runs beside
+- **Told** (*estimated* in the tables that `polhode cost` prints) is the error that a run tells of itself, by runs \
+beside
   it, which are not timed; it is empty where they would take too long. In the chart of a method a thin line leads there.
 - **Colours** are families of methods, markers their members.
 - The **Pareto front** has the methods for which no other has both a smaller error and a shorter time. In a figure it is

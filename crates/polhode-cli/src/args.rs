@@ -44,6 +44,9 @@ pub(crate) enum Command {
     /// Shows what accuracy costs: error against time over methods and steps
     #[command(after_help = help::COST)]
     Cost(CostArgs),
+    /// Runs a scene many times with other values, and measures each run
+    #[command(after_help = help::SWEEP)]
+    Sweep(SweepArgs),
     /// Validates a scene
     #[command(after_help = help::CHECK)]
     Check(CheckArgs),
@@ -170,6 +173,50 @@ pub(crate) struct RunOutputArgs {
     /// Threads that compute the islands of a step (tiers stepped and fast); the bits are the same for any number
     #[arg(long, value_name = "N", default_value_t = NonZeroUsize::MIN)]
     pub(crate) threads: NonZeroUsize,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct SweepArgs {
+    #[command(flatten)]
+    pub(crate) scene: SceneArgs,
+    /// Varies a key of the scene: values (0.1,0.2), a range with their number (0.1..0.8:8), or what is drawn from
+    /// (0.1..0.8, normal(0.4, 0.1), lognormal(0.4, 0.1), uniform(0.1, 0.8), choice(newton, poisson)); several keys give
+    /// all combinations
+    #[arg(long, value_name = "KEY=VALUES", required = true, allow_hyphen_values = true)]
+    pub(crate) vary: Vec<String>,
+    /// Draws of each combination, where a key is drawn
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
+    pub(crate) random: Option<u64>,
+    /// Seed of the draws: those of a run depend on it, the number of the run and the key alone
+    #[arg(long, value_name = "S", default_value_t = 0)]
+    pub(crate) seed: u64,
+    /// Measures each run: bodies.NAME.position[2]@end (start, least, most, mean), max(joints.NAME.torque),
+    /// energy.kinetic, count(events.impact), sum(impulse); NAME=... names the column
+    #[arg(long, value_name = "EXPR")]
+    pub(crate) measure: Vec<String>,
+    /// Writes the table as CSV, row by row; a file that was cut off is gone on with [default: to stdout]
+    #[arg(short, long, value_name = "FILE")]
+    pub(crate) output: Option<PathBuf>,
+    /// Computes one of N equal shards, into a file beside the table (table.2-of-8.csv); without --shard the same
+    /// command puts them together
+    #[arg(long, value_name = "I/N", value_parser = shard, requires = "output")]
+    pub(crate) shard: Option<[u64; 2]>,
+    /// Runs at a time; the table is the same for any number [default: as many as the machine has processors]
+    #[arg(long, value_name = "N", default_value_t = processors(), hide_default_value = true)]
+    pub(crate) workers: NonZeroUsize,
+}
+
+/// As many as this machine runs at once.
+fn processors() -> NonZeroUsize {
+    std::thread::available_parallelism().unwrap_or(NonZeroUsize::MIN)
+}
+
+/// A shard, as 2/8.
+fn shard(text: &str) -> Result<[u64; 2], String> {
+    let parsed = text.split_once('/').and_then(|(number, of)| Some([number.parse().ok()?, of.parse().ok()?]));
+    parsed
+        .filter(|[number, of]| (1..=*of).contains(number))
+        .ok_or_else(|| "I/N is needed, 1 to N of N, as 2/8".to_owned())
 }
 
 /// How the error of a run is estimated.

@@ -27,6 +27,12 @@ Examples:
   polhode cost scene.toml --target 1e-6
   polhode cost scene.toml --vary method.integrator=rk4,dop853 --vary method.step=0.01,0.001";
 
+pub(crate) const SWEEP: &str = "\
+Examples:
+  polhode sweep scene.toml --vary bodies.brick.mass=1..2:8 --measure 'bodies.brick.position[2]@end' -o table.csv
+  polhode sweep scene.toml --vary 'bodies.brick.mass=normal(1, 0.05)' --random 20 --measure 'max(bodies.brick.velocity)'
+  polhode sweep scene.toml --vary bodies.brick.mass=1..2:40 -o all.csv --shard 2/8";
+
 pub(crate) const CHECK: &str = "\
 Examples:
   polhode check scene.toml

@@ -80,7 +80,7 @@ pub struct Axis {
 }
 
 impl Axis {
-    /// From `key=value,value,...`; commas within quotes and brackets belong to a value.
+    /// From `key=value,value,...`; commas within quotes and brackets of any kind belong to a value.
     ///
     /// # Errors
     /// When there is no `=`, the key is empty or a value is.
@@ -92,6 +92,11 @@ impl Axis {
             return Err(format!("{text}: a key or a value is empty; the form is {form}"));
         }
         Ok(Self { key: whole.key, values })
+    }
+
+    /// The key and its values.
+    pub(crate) fn into_parts(self) -> (String, Vec<String>) {
+        (self.key, self.values)
     }
 
     fn is_numeric(&self) -> bool {
@@ -111,8 +116,8 @@ fn split(text: &str) -> Vec<String> {
         match (quote, c) {
             (Some(open), c) if open == c => quote = None,
             (None, '"' | '\'') => quote = Some(c),
-            (None, '[' | '{') => depth += 1,
-            (None, ']' | '}') => depth = depth.saturating_sub(1),
+            (None, '[' | '{' | '(') => depth += 1,
+            (None, ']' | '}' | ')') => depth = depth.saturating_sub(1),
             (None, ',') if depth == 0 => {
                 values.push(text[start..at].trim().to_owned());
                 start = at + 1;

@@ -23,6 +23,7 @@
 //! | `runs` | all runs of a study |
 //! | [`study`] | all of it together |
 //! | [`json`] | the same as one JSON object |
+//! | [`sweep`] | many runs with other values, and what is measured of each |
 //! | [`error`] | [`StudyError`] |
 
 pub mod candidate;
@@ -36,6 +37,7 @@ pub mod options;
 pub mod reference;
 pub mod source;
 pub mod study;
+pub mod sweep;
 pub mod threads;
 pub mod timing;
 

@@ -7,12 +7,14 @@
 //! | `stability` | how far bodies at rest are from moving |
 //! | `mesh`, `mesh_studies` | a mesh; reference points and Monte Carlo estimates |
 //! | `comparison` | two trajectories |
+//! | `sweep` | what the runs of a sweep say together |
 
 mod comparison;
 mod mesh;
 mod mesh_studies;
 mod report;
 mod stability;
+pub(crate) mod sweep;
 mod table;
 
 pub(crate) use comparison::comparison;

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any, Mapping
 
 from . import _polhode
 from ._errors import ActionError
+from ._estimate import RunError, of_report
 from ._scene import Body, JointHandle, Scene, free_name, load
 
 if TYPE_CHECKING:
@@ -102,6 +103,20 @@ class Simulation(_polhode.Simulation):
 
         certificate: dict[str, Any] = json.loads(self.told_json()[1])
         return certificate
+
+    @property
+    def error(self) -> RunError | None:
+        """The estimated error so far; none before the first comparison with a run beside it, and with
+        ``error="off"``.
+
+        >>> import polhode as ph
+        >>> ball = {"name": "ball", "shape": {"sphere": {"radius": 0.1}}, "mass": 1.0}
+        >>> sim = ph.Simulation({"format": 1, "bodies": [ball]})
+        >>> sim.advance_to(0.5)
+        >>> sim.error < 1e-12, sim.error.horizon
+        (True, None)
+        """
+        return of_report(self.report())
 
     @property
     def events(self) -> NDArray[np.void]:

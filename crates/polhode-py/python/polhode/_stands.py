@@ -56,7 +56,7 @@ def stands(scene: SceneLike) -> Standing:
     >>> bool(answer), round(answer.push, 9), answer.first, answer.how
     (True, 0.25, ('column',), 'tips')
     """
-    simulation = Simulation(scene)
+    simulation = Simulation(scene, error="off")
     report = simulation.stability()
     # Events at the start are steps of no length.
     while simulation.step().t <= 0.0:

@@ -97,7 +97,7 @@ class SceneEnv(gymnasium.Env):  # type: ignore[type-arg, misc, unused-ignore]
             raise ValueError('actions={}: at least 1 is needed, as in actions={"rail": 10.0}')
         self._seen = [_seen(name, self._loaded.body_names, joints) for name in observe]
         #: The simulation, which functions of reward may ask.
-        self.sim = Simulation(self._loaded)
+        self.sim = Simulation(self._loaded, error="off")
         #: The action of the last step.
         self.action: Observation = np.zeros(len(self._motors))
         for joint, coordinate, _ in self._motors:
@@ -122,7 +122,7 @@ class SceneEnv(gymnasium.Env):  # type: ignore[type-arg, misc, unused-ignore]
         if self._vary:
             number = int(self.np_random.integers(2**62))
             drawn = {key: distribution.draw(number, 0, key) for key, distribution in self._vary.items()}
-            self.sim = Simulation(self._loaded, set=drawn)
+            self.sim = Simulation(self._loaded, error="off", set=drawn)
         else:
             self.sim.restore(self._start)
         if self._begin is not None:

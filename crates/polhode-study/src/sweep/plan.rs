@@ -1,0 +1,239 @@
+//! Which runs a sweep has: values of lists combined, draws first, and what is measured of each.
+
+use super::error::SweepError;
+use super::measure::{Measure, Measured};
+use super::scene::SweepScene;
+use super::varied::{Values, Varied};
+use crate::candidate::change;
+use polhode_scene::{LoadedScene, Override};
+use std::num::NonZeroU64;
+use std::ops::Range;
+
+/// Runs of a sweep at the most: a table of a few columns fills a gigabyte.
+const MOST_RUNS: u64 = 10_000_000;
+
+/// Columns that every table has before what is measured, and after what is varied.
+const OUTCOME: &str = "outcome";
+const ERROR: &str = "error";
+/// The first and the last column.
+const RUN: &str = "run";
+const REASON: &str = "reason";
+
+/// Which runs there are, and what is measured of each.
+#[derive(Debug, Clone)]
+pub struct Sweep {
+    pub(super) varied: Vec<Varied>,
+    seed: u64,
+    pub(super) measures: Vec<Measure>,
+    runs: u64,
+}
+
+impl Sweep {
+    /// All combinations of the values of lists; where a distribution is among what is varied, so many draws of each of
+    /// them.
+    ///
+    /// # Errors
+    /// When a key is given twice, there are too many runs, or the number of draws does not fit what is varied.
+    pub fn new(
+        varied: Vec<Varied>,
+        draws: Option<NonZeroU64>,
+        seed: u64,
+        measures: Vec<Measure>,
+    ) -> Result<Self, SweepError> {
+        let mut columns: Vec<&str> = vec![RUN, OUTCOME, ERROR, REASON];
+        let keys = varied.iter().map(|own| own.key.as_str());
+        for column in keys.chain(measures.iter().map(|own| own.column.as_str())) {
+            if columns.contains(&column) {
+                return Err(SweepError::Column(column.to_owned()));
+            }
+            columns.push(column);
+        }
+        let is_drawn = varied.iter().any(|own| matches!(own.values, Values::Drawn(_)));
+        let draws = match (draws, is_drawn) {
+            (Some(draws), true) => draws.get(),
+            (None, true) => return Err(SweepError::Draws("a value is drawn: --random N says how often".to_owned())),
+            (Some(draws), false) if draws.get() > 1 => {
+                let what =
+                    "nothing is drawn, and all runs would be the same: vary a key by a distribution, as 0.1..0.8";
+                return Err(SweepError::Draws(format!("--random {draws}: {what}")));
+            }
+            (_, false) => 1,
+        };
+        let points = varied.iter().map(|own| match &own.values {
+            Values::Listed(values) => values.len() as u64,
+            Values::Drawn(_) => 1,
+        });
+        let runs = points.clone().try_fold(draws, u64::checked_mul);
+        let Some(runs) = runs.filter(|runs| (1..=MOST_RUNS).contains(runs)) else {
+            let runs = runs.map_or_else(|| "too many".to_owned(), |runs| runs.to_string());
+            return Err(SweepError::Runs { runs, most: MOST_RUNS });
+        };
+        Ok(Self { varied, seed, measures, runs })
+    }
+
+    /// How many runs there are.
+    pub fn runs(&self) -> u64 {
+        self.runs
+    }
+
+    /// The runs of one of so many shards, counted from 1: a block, so that the tables of all shards in their order are
+    /// the table.
+    ///
+    /// # Errors
+    /// When there is no such shard.
+    pub fn shard(&self, number: u64, of: u64) -> Result<Range<u64>, SweepError> {
+        if number == 0 || number > of {
+            return Err(SweepError::Shard(format!("{number}/{of}")));
+        }
+        let at = |shard: u64| (u128::from(self.runs) * u128::from(shard) / u128::from(of)) as u64;
+        Ok(at(number - 1)..at(number))
+    }
+
+    /// The values of a run, as a scene has them, in the order in which the keys are varied.
+    pub fn values(&self, run: u64) -> Vec<String> {
+        let points: u64 = self.varied.iter().map(|own| own.values.count()).product();
+        let mut point = run % points;
+        let mut values: Vec<String> = self
+            .varied
+            .iter()
+            .rev()
+            .map(|own| match &own.values {
+                Values::Drawn(drawn) => drawn.draw(self.seed, run, &own.key),
+                Values::Listed(values) => {
+                    let count = values.len() as u64;
+                    let value = values[(point % count) as usize].clone();
+                    point /= count;
+                    value
+                }
+            })
+            .collect();
+        values.reverse();
+        values
+    }
+
+    /// The changes of a run.
+    pub fn changes(&self, run: u64) -> Vec<Override> {
+        self.varied.iter().zip(self.values(run)).map(|(own, value)| change(&own.key, value)).collect()
+    }
+
+    /// The names of the columns of the table.
+    pub fn columns(&self) -> Vec<String> {
+        let keys = self.varied.iter().map(|own| own.key.clone());
+        let measures = self.measures.iter().map(|own| own.column.clone());
+        let owned = |text: &str| text.to_owned();
+        [owned(RUN)]
+            .into_iter()
+            .chain(keys)
+            .chain([OUTCOME, ERROR].map(owned))
+            .chain(measures)
+            .chain([owned(REASON)])
+            .collect()
+    }
+
+    /// The names of what is measured.
+    pub fn measures(&self) -> impl Iterator<Item = &str> {
+        self.measures.iter().map(|own| own.column.as_str())
+    }
+
+    /// Checks, before anything is computed, that the scene takes every value of a list, and the middle of every
+    /// distribution, each beside the first values of the other keys, and that it has what is measured.
+    ///
+    /// # Errors
+    /// When it does not.
+    pub fn check(&self, scene: &SweepScene<'_>) -> Result<(), SweepError> {
+        let first: Vec<Override> = self.varied.iter().map(|own| change(&own.key, own.values.middle())).collect();
+        let loaded = scene.loaded(&first)?;
+        self.measured_of(&loaded)?;
+        for (place, own) in self.varied.iter().enumerate() {
+            let Values::Listed(values) = &own.values else { continue };
+            for value in values.iter().skip(1) {
+                let mut changes = first.clone();
+                changes[place] = change(&own.key, value);
+                scene.loaded(&changes)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// What is measured, of a scene.
+    pub(super) fn measured_of(&self, loaded: &LoadedScene) -> Result<Vec<Measured>, SweepError> {
+        self.measures.iter().map(|own| own.of_scene(loaded)).collect()
+    }
+
+    /// What makes it this sweep and no other, in words; the number of draws does not.
+    pub(super) fn told(&self) -> String {
+        format!("{:?}", (self.seed, &self.varied, &self.measures))
+    }
+}
+
+impl Values {
+    fn count(&self) -> u64 {
+        match self {
+            Self::Listed(values) => values.len() as u64,
+            Self::Drawn(_) => 1,
+        }
+    }
+
+    /// The first value of a list, or the middle of a distribution.
+    fn middle(&self) -> String {
+        match self {
+            Self::Listed(values) => values.first().cloned().unwrap_or_default(),
+            Self::Drawn(drawn) => drawn.at(0.5),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    //! The runs of a sweep are all combinations, the first rows of more draws are those of fewer, and shards divide
+    //! them.
+    #![allow(clippy::unwrap_used, reason = "a test that cannot go on fails")]
+    use super::*;
+
+    fn sweep(varied: &[&str], draws: u64) -> Result<Sweep, SweepError> {
+        let varied = varied.iter().map(|text| Varied::parse(text).unwrap()).collect();
+        Sweep::new(varied, NonZeroU64::new(draws), 1, vec![Measure::parse("top=max(b.position[2])")])
+    }
+
+    #[test]
+    fn all_combinations_the_last_key_fastest() {
+        let own = sweep(&["a=1,2", "b=x,y,z"], 0).unwrap();
+        let all: Vec<String> = (0..own.runs()).map(|run| own.values(run).join(" ")).collect();
+        assert_eq!(all, ["1 x", "1 y", "1 z", "2 x", "2 y", "2 z"]);
+        assert_eq!(own.columns(), ["run", "a", "b", "outcome", "error", "top", "reason"]);
+    }
+
+    #[test]
+    fn the_first_rows_of_more_draws_are_those_of_fewer() {
+        let [few, many] = [3, 10].map(|draws| sweep(&["a=1,2", "b=normal(0, 1)"], draws).unwrap());
+        assert_eq!((few.runs(), many.runs()), (6, 20));
+        assert!((0..6).all(|run| few.values(run) == many.values(run)));
+        assert!(few.values(0)[1] != few.values(2)[1]);
+    }
+
+    #[test]
+    fn shards_divide_the_runs() {
+        let own = sweep(&["a=1..2:10"], 0).unwrap();
+        let mut next = 0;
+        for number in 1..=4 {
+            let shard = own.shard(number, 4).unwrap();
+            assert_eq!(shard.start, next);
+            next = shard.end;
+        }
+        assert_eq!(next, 10);
+        assert!(own.shard(0, 4).is_err() && own.shard(5, 4).is_err() && own.shard(1, 0).is_err());
+    }
+
+    #[test]
+    fn mistakes_are_told() {
+        assert!(sweep(&["a=1,2", "a=3"], 0).is_err(), "a key twice");
+        assert!(sweep(&["top=1,2"], 0).is_err(), "a key with the name of a measure");
+        assert!(sweep(&["a=1,2"], 5).is_err(), "draws of nothing");
+        assert!(sweep(&["a=1..2"], 0).is_err(), "no number of draws");
+        assert!(sweep(&["a=1..2"], 1_000_000_000).is_err(), "too many");
+        assert!(
+            sweep(&["a=1..2:100000", "b=1..2:100000", "c=1..2:100000", "d=1..2:100000"], 0).is_err(),
+            "far too many"
+        );
+    }
+}

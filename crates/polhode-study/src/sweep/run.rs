@@ -1,0 +1,171 @@
+//! The runs of a sweep: one, and all of them on several threads.
+
+use super::error::SweepError;
+use super::measure::Measured;
+use super::plan::Sweep;
+use super::scene::{IsStopped, SweepScene};
+use polhode::{BodySample, Energy, Event, Flow, JointSample, Observer, RunReport, Simulation};
+use polhode_scene::names;
+use std::collections::BTreeMap;
+use std::num::NonZeroUsize;
+use std::ops::Range;
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+use std::sync::mpsc;
+
+/// A run that is finished.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Row {
+    /// Its number.
+    pub run: u64,
+    /// Its values, as a scene has them.
+    pub values: Vec<String>,
+    /// How it ended.
+    pub outcome: String,
+    /// The error that it tells of itself, of a body's size; NaN where it is not known.
+    pub error: f64,
+    /// What was measured; NaN where there is none.
+    pub measured: Vec<f64>,
+    /// Why it failed or is degraded; else empty.
+    pub reason: String,
+}
+
+impl Sweep {
+    /// Computes these runs by so many workers. `take` is given each row in the order of the runs.
+    ///
+    /// # Errors
+    /// Those of `take`; [`SweepError::Stopped`] where runs are to end, after the rows that are
+    /// finished.
+    pub fn compute(
+        &self,
+        scene: &SweepScene<'_>,
+        runs: Range<u64>,
+        workers: NonZeroUsize,
+        mut take: impl FnMut(Row) -> Result<(), SweepError>,
+    ) -> Result<(), SweepError> {
+        let next = AtomicU64::new(runs.start);
+        let is_over = AtomicBool::new(false);
+        let (send, receive) = mpsc::channel();
+        let work = |send: mpsc::Sender<Row>| {
+            while !(scene.is_stopped)() && !is_over.load(Ordering::Relaxed) {
+                let run = next.fetch_add(1, Ordering::Relaxed);
+                if run >= runs.end {
+                    return;
+                }
+                let Some(row) = self.row(scene, run) else { return };
+                if send.send(row).is_err() {
+                    return;
+                }
+            }
+        };
+        std::thread::scope(|scope| {
+            let mut begun = 0;
+            for _ in 0..workers.get() {
+                let send = send.clone();
+                begun += usize::from(std::thread::Builder::new().spawn_scoped(scope, || work(send)).is_ok());
+            }
+            if begun == 0 {
+                // The system gives no thread: this one computes first, and takes then.
+                work(send.clone());
+            }
+            drop(send);
+            let (mut awaited, mut kept) = (runs.start, BTreeMap::new());
+            for row in receive {
+                kept.insert(row.run, row);
+                while let Some(row) = kept.remove(&awaited) {
+                    if let Err(error) = take(row) {
+                        is_over.store(true, Ordering::Relaxed);
+                        return Err(error);
+                    }
+                    awaited += 1;
+                }
+            }
+            if awaited < runs.end { Err(SweepError::Stopped) } else { Ok(()) }
+        })
+    }
+
+    /// A run; none where it was stopped.
+    fn row(&self, scene: &SweepScene<'_>, run: u64) -> Option<Row> {
+        let nothing = vec![f64::NAN; self.measures.len()];
+        let failed = |reason: &str| {
+            let (values, reason) = (self.values(run), on_one_line(reason));
+            Row { run, values, outcome: "failed".to_owned(), error: f64::NAN, measured: nothing.clone(), reason }
+        };
+        let loaded = match scene.loaded(&self.changes(run)) {
+            Ok(loaded) => loaded,
+            Err(error) => {
+                let refused = error.refused().map(|refused| refused.cause.to_string());
+                return Some(failed(&refused.unwrap_or_else(|| error.to_string())));
+            }
+        };
+        let measured = match self.measured_of(&loaded) {
+            Ok(measured) => measured,
+            Err(error) => return Some(failed(&error.to_string())),
+        };
+        let mut gather = Gather { measured, is_stopped: scene.is_stopped };
+        let report = Simulation::with_effects(&loaded.scene, scene.effects)
+            .and_then(|mut simulation| simulation.run_observed(&mut gather));
+        if (scene.is_stopped)() {
+            return None;
+        }
+        Some(match report {
+            Err(error) => failed(&error.to_string()),
+            Ok(report) => self.finished(run, &report, &gather.measured),
+        })
+    }
+
+    fn finished(&self, run: u64, report: &RunReport, measured: &[Measured]) -> Row {
+        let reason = match report.outcome {
+            polhode::Outcome::Completed => "",
+            _ => report.warnings.first().map_or("", String::as_str),
+        };
+        Row {
+            run,
+            values: self.values(run),
+            outcome: names::outcome(report.outcome).to_owned(),
+            error: report.error.relative().unwrap_or(f64::NAN),
+            measured: measured.iter().map(Measured::value).collect(),
+            reason: on_one_line(reason),
+        }
+    }
+}
+
+/// A text without line breaks.
+fn on_one_line(text: &str) -> String {
+    text.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+/// Measures a run while it goes on.
+struct Gather<'a> {
+    measured: Vec<Measured>,
+    is_stopped: &'a IsStopped<'a>,
+}
+
+impl Observer for Gather<'_> {
+    fn sample(&mut self, _t_s: f64, bodies: &[BodySample]) {
+        self.measured.iter_mut().for_each(|own| own.sample(bodies));
+    }
+
+    fn event(&mut self, event: &Event) {
+        self.measured.iter_mut().for_each(|own| own.event(event));
+    }
+
+    fn wants_joints(&self) -> bool {
+        self.measured.iter().any(Measured::is_of_joints)
+    }
+
+    fn joints(&mut self, _t_s: f64, joints: &[JointSample]) {
+        self.measured.iter_mut().for_each(|own| own.joints(joints));
+    }
+
+    fn wants_energies(&self) -> bool {
+        self.measured.iter().any(Measured::is_of_energy)
+    }
+
+    fn energy(&mut self, _t_s: f64, energy: &Energy) {
+        self.measured.iter_mut().for_each(|own| own.energy(energy));
+    }
+
+    fn progress(&mut self, _t_s: f64) -> Flow {
+        if (self.is_stopped)() { Flow::Stop } else { Flow::Continue }
+    }
+}
