@@ -11,10 +11,11 @@ const MICRO: f64 = 1e6;
 /// Differences of laws below this are rounding: the laws are one law in that scene.
 const SAME_LAW: f64 = 1e-9;
 
-/// How to read the chart, and what one with highlighted methods shows beside.
+/// How to read the chart, and one with highlighted methods.
 const HOW_TO_READ: &str =
     "a line is a method from its cheapest setting to its dearest; lower is more accurate, further left is faster";
-const TOLD: &str = "a thin line ends at the error that the run told of itself";
+const HOW_TO_READ_ONE: &str =
+    "a line is a method from its cheapest setting to its dearest; a thin one ends at the error that a run told";
 
 /// What selects an impact law: such a candidate shows a law, and is no method of its own.
 pub(crate) const LAW_KEY: &str = "method.impact";
@@ -46,7 +47,7 @@ pub(crate) fn svg(studies: &[ContactStudy<'_>], page: Option<&[&str]>) -> String
     let highlighted = names.filter(stands_out).cloned().collect();
     let chart = CostPanels {
         title: "Where bodies touch: how wrong each method is, and how long it takes".to_owned(),
-        subtitle: if page.is_some() { format!("{HOW_TO_READ}; {TOLD}") } else { HOW_TO_READ.to_owned() },
+        subtitle: if page.is_some() { HOW_TO_READ_ONE } else { HOW_TO_READ }.to_owned(),
         across: "seconds of computing for each simulated second".to_owned(),
         up: "error (1: unrelated to the right motion)".to_owned(),
         panels,

@@ -150,6 +150,7 @@ of the
 - **Told** (*estimated* in the tables that `polhode cost` prints) is the error that a run tells of itself, by runs \
 beside
   it, which are not timed; it is empty where they would take too long. In the chart of a method a thin line leads there.
+  Springs tell how far they are from the motion of these springs, and not from that of stiffer ones.
 - **Colours** are families of methods, markers their members.
 - The **Pareto front** has the methods for which no other has both a smaller error and a shorter time. In a figure it is
   the broad line: the smallest error at each time.

@@ -47,6 +47,9 @@ pub(crate) enum Command {
     /// Runs a scene many times with other values, and measures each run
     #[command(after_help = help::SWEEP)]
     Sweep(SweepArgs),
+    /// Says whether bodies stand, how firmly, what moves first, and what each contact carries
+    #[command(after_help = help::STANDS)]
+    Stands(StandsArgs),
     /// Validates a scene
     #[command(after_help = help::CHECK)]
     Check(CheckArgs),
@@ -82,7 +85,7 @@ pub(crate) enum Command {
 /// A scene and changes to it.
 #[derive(Debug, Args)]
 pub(crate) struct SceneArgs {
-    /// Scene file (TOML) or robot file (.urdf, .xml, .mjcf); `-` reads a scene from stdin, `example:NAME` is a shipped
+    /// Scene file (TOML), robot file (.urdf, .xml, .mjcf) or table of boxes (.csv); `-` reads a scene from stdin, `example:NAME` is a shipped
     /// one (`polhode scenes` lists them)
     pub(crate) scene: PathBuf,
     #[command(flatten)]
@@ -175,6 +178,20 @@ pub(crate) struct RunOutputArgs {
     pub(crate) threads: NonZeroUsize,
 }
 
+/// Arguments of `stands`.
+#[derive(Debug, Args)]
+pub(crate) struct StandsArgs {
+    #[command(flatten)]
+    pub(crate) scene: SceneArgs,
+    /// Says what each contact carries
+    #[arg(long)]
+    pub(crate) contacts: bool,
+    /// Prints everything as JSON
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+/// Arguments of `sweep`.
 #[derive(Debug, Args)]
 pub(crate) struct SweepArgs {
     #[command(flatten)]

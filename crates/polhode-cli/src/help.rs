@@ -33,6 +33,12 @@ Examples:
   polhode sweep scene.toml --vary 'bodies.brick.mass=normal(1, 0.05)' --random 20 --measure 'max(bodies.brick.velocity)'
   polhode sweep scene.toml --vary bodies.brick.mass=1..2:40 -o all.csv --shard 2/8";
 
+pub(crate) const STANDS: &str = "\
+Examples:
+  polhode stands example:masonry-arch
+  polhode stands example:masonry-arch --contacts
+  polhode stands example:overhang-stack || echo \"it does not stand\"";
+
 pub(crate) const CHECK: &str = "\
 Examples:
   polhode check scene.toml

@@ -30,6 +30,7 @@
 //! | `elastic` | the command that drops an elastic rectangle, with rigid laws beside it |
 //! | `cost` | the command that sets error against computing time |
 //! | `sweep` | the command that runs a scene many times with other values |
+//! | `stands` | the command that says whether bodies stand |
 //! | `scene` | loading the scene that a command names |
 //! | `text` | numbers, tables and reports for people |
 //! | `stdout`, `harmless` | writing results; text that does not steer a terminal |
@@ -79,6 +80,7 @@ mod run;
 mod run_files;
 mod scene;
 mod second_opinion;
+mod stands;
 mod stdout;
 mod sweep;
 mod terminal;
@@ -123,6 +125,7 @@ fn called(command: &Command, interrupt: &Interrupt) -> Result<(), Failure> {
         Command::Plan(args) => plan::plan(args),
         Command::Cost(args) => cost::cost(args, interrupt),
         Command::Sweep(args) => sweep::sweep(args, interrupt),
+        Command::Stands(args) => stands::stands(args),
         Command::Check(args) => check::check(args),
         Command::Mesh(args) => mesh::mesh(args),
         Command::Elastic(args) => elastic::elastic(args),

@@ -50,6 +50,18 @@ pub enum SceneFileError {
     /// A robot file that stands for a scene is refused.
     #[error(transparent)]
     Robot(#[from] RobotFileError),
+    /// A table of boxes that stands for a scene is refused.
+    #[error("{}:{line}: {what}; columns of a table of boxes: {accepted}", path.display())]
+    Boxes {
+        /// The file.
+        path: PathBuf,
+        /// The line, from 1.
+        line: u64,
+        /// What is wrong.
+        what: String,
+        /// What is accepted.
+        accepted: String,
+    },
     /// The content is refused.
     #[error("{0}")]
     Refused(Box<Refused>),
@@ -103,7 +115,7 @@ impl SceneFileError {
             Self::Refused(refused) => refused.is_input_output(),
             Self::Robot(error) => error.is_input_output(),
             Self::Several(errors) => errors.iter().all(Refused::is_input_output),
-            Self::TooLarge { .. } | Self::NotText { .. } => false,
+            Self::TooLarge { .. } | Self::NotText { .. } | Self::Boxes { .. } => false,
         }
     }
 

@@ -19,6 +19,7 @@
 //! | `build` | from the format to the engine's scene |
 //! | `document` | a scene file that knows where each of its values stands |
 //! | `robot` | robots from URDF and MJCF files |
+//! | `boxes` | a table of boxes as a scene |
 //! | `csv` | comma-separated values |
 //! | `trajectory_rows` | the rows of a trajectory in a CSV file, read one by one |
 //! | `scaled_arrays` | the arrays of a scene with another number of bodies |
@@ -73,6 +74,7 @@ pub mod schema;
 pub mod shown;
 pub mod trajectory;
 
+mod boxes;
 mod build;
 mod csv;
 mod document;

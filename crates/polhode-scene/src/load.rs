@@ -1,5 +1,6 @@
 //! From a scene file to a scene.
 
+use crate::boxes;
 use crate::build::{self, Built, PlacedRobot};
 use crate::document::{Document, Override};
 use crate::error::{Refusal, SceneFileError};
@@ -102,7 +103,8 @@ fn on_one_line(text: &str) -> Option<String> {
 }
 
 /// Loads a scene from a file. Paths of meshes are relative to the file. A robot file (`.urdf`, `.xml`, `.mjcf`) stands
-/// for a scene of the robot, for two seconds, with a floor below it unless the world holds it.
+/// for a scene of the robot, for two seconds, with a floor below it unless the world holds it. A table of boxes (`.csv`)
+/// stands for a scene of these on a floor.
 ///
 /// # Errors
 /// [`SceneFileError`]: the file, its text, a key or a value is refused, with the place and the line.
@@ -122,22 +124,34 @@ pub fn load_with(path: &Path, overrides: &[Override]) -> Result<LoadedScene, Sce
         read::Fault::Io(source) => SceneFileError::Read { path: path.to_owned(), source },
         read::Fault::TooLarge => SceneFileError::TooLarge { path: path.to_owned(), limit: LARGEST_SCENE_FILE },
     })?;
+    if boxes::is_table(path) {
+        let origin = format!("the scene of {}", path.display());
+        let text = boxes::scene_of(path, &bytes)?;
+        return from_document(Document::new(&origin, text, overrides), &MeshFolder::beside(path), &name_of(path));
+    }
     let text = String::from_utf8(bytes).map_err(|error| {
         let offset = error.utf8_error().valid_up_to();
         let line = error.as_bytes()[..offset].split(|&byte| byte == b'\n').count();
         SceneFileError::NotText { path: path.to_owned(), line, offset }
     })?;
-    let name = path.file_stem().map_or_else(String::new, |stem| stem.to_string_lossy().into_owned());
-    from_document(Document::new(&path.display().to_string(), text, overrides), &MeshFolder::beside(path), &name)
+    from_document(
+        Document::new(&path.display().to_string(), text, overrides),
+        &MeshFolder::beside(path),
+        &name_of(path),
+    )
+}
+
+/// The name of a scene that has none: that of its file.
+fn name_of(path: &Path) -> String {
+    path.file_stem().map_or_else(String::new, |stem| stem.to_string_lossy().into_owned())
 }
 
 /// A scene of one robot: its file stands for it.
 fn load_robot(path: &Path, overrides: &[Override]) -> Result<LoadedScene, SceneFileError> {
     let text = robot::scene_of(path)?;
     let origin = format!("the scene of {}", path.display());
-    let name = path.file_stem().map_or_else(String::new, |stem| stem.to_string_lossy().into_owned());
     let folder = MeshFolder::beside(path);
-    from_document(Document::new(&origin, text, overrides), &folder, &name).map_err(SceneFileError::of_robot)
+    from_document(Document::new(&origin, text, overrides), &folder, &name_of(path)).map_err(SceneFileError::of_robot)
 }
 
 /// Loads a scene from text; `origin` is what errors call it, and names the folder that mesh files are relative to.

@@ -7,6 +7,7 @@
 //! | `stability` | how far bodies at rest are from moving |
 //! | `mesh`, `mesh_studies` | a mesh; reference points and Monte Carlo estimates |
 //! | `comparison` | two trajectories |
+//! | `stands` | whether bodies stand |
 //! | `sweep` | what the runs of a sweep say together |
 
 mod comparison;
@@ -14,6 +15,7 @@ mod mesh;
 mod mesh_studies;
 mod report;
 mod stability;
+pub(crate) mod stands;
 pub(crate) mod sweep;
 mod table;
 

@@ -1,8 +1,8 @@
 //! How far bodies at rest are from moving.
 
 use super::table::{Table, vector};
-use polhode::Scene;
 use polhode::stability::{Beginning, FrictionMargin, MovingBody, PushMargin, Stability};
+use polhode::{BodyId, Scene};
 
 use std::fmt::Write as _;
 
@@ -80,6 +80,15 @@ fn degrees(scene: &Scene, push: &PushMargin) -> Option<String> {
 
 fn margin(of_weight: f64) -> String {
     if of_weight.is_finite() { format!("{of_weight:.DIGITS$}") } else { "any".to_owned() }
+}
+
+/// Names of bodies of which each does this, as many as help.
+pub(super) fn named_bodies(scene: &Scene, bodies: &[BodyId], does: &str) -> String {
+    let name = |body: &BodyId| scene.bodies().get(body.index()).map_or("", polhode::Body::name);
+    let names: Vec<&str> = bodies.iter().take(MOST_NAMED).map(name).collect();
+    let more =
+        if bodies.len() > MOST_NAMED { format!(" and {} more", bodies.len() - MOST_NAMED) } else { String::new() };
+    format!("{}{more} {}", names.join(", "), if bodies.len() > 1 { does.trim_end_matches('s') } else { does })
 }
 
 /// The bodies that begin to move, the fastest first.

@@ -20,6 +20,7 @@ mod resume;
 mod robots;
 mod run;
 mod second_opinion;
+mod stands;
 mod sweep;
 mod usage;
 mod view;

@@ -1,0 +1,60 @@
+//! `polhode stands`: its answer against a closed form, the exit code that scripts ask, and tables of boxes.
+
+use super::Place;
+
+const COLUMNS: &str = "name,size_x,size_y,size_z,x,y,z,mass\n";
+
+/// Two boxes, the upper one shifted by `shift` of its length of 0.4 m.
+fn two(shift: f64) -> String {
+    format!("{COLUMNS}low,0.4,0.3,0.2,0,0,0.1,5\nhigh,0.4,0.3,0.2,{},0,0.3,5\n", 0.4 * shift)
+}
+
+/// A box falls over an edge when its centre of mass is beyond it: at half its length.
+#[test]
+fn a_box_over_an_edge() {
+    let place = Place::new();
+    for (shift, stands) in [(0.0, true), (0.45, true), (0.499, true), (0.501, false), (0.55, false)] {
+        place.write("two.csv", &two(shift));
+        let run = place.expect(i32::from(!stands), &["stands", "two.csv"]);
+        let first = run.stdout.lines().next().unwrap();
+        assert_eq!(first, if stands { "two stands" } else { "two does not stand: high moves first" }, "{shift}");
+        let json = place.expect(i32::from(!stands), &["stands", "two.csv", "--json"]).json();
+        assert_eq!(json["stands"].as_bool(), Some(stands));
+        assert_eq!(json["moves"].as_array().unwrap().len(), usize::from(!stands));
+    }
+}
+
+/// The forces of contacts hold what stands: those of the floor carry all the weight.
+#[test]
+fn contacts_carry_the_weight() {
+    let place = Place::new();
+    place.write("two.csv", &two(0.2));
+    let json = place.expect(0, &["stands", "two.csv", "--json"]).json();
+    let of_floor =
+        json["contacts"].as_array().unwrap().iter().filter(|own| own["body_a"] == "floor" || own["body_b"] == "floor");
+    let carried: f64 = of_floor.map(|own| own["normal_force_n"].as_f64().unwrap()).sum();
+    assert!((carried - 10.0 * 9.81).abs() < 1e-6, "{carried}");
+    let text = place.expect(0, &["stands", "two.csv", "--contacts"]).stdout;
+    assert!(text.contains("contacts: what each carries") && text.contains("low, high"), "{text}");
+}
+
+/// What touches nothing falls, and is named.
+#[test]
+fn what_falls_does_not_stand() {
+    let place = Place::new();
+    place.write("two.csv", &format!("{}air,1,1,1,5,5,5,2\n", two(0.1)));
+    let run = place.expect(1, &["stands", "two.csv"]);
+    assert!(run.stdout.starts_with("two does not stand: air moves first\n"), "{}", run.stdout);
+}
+
+/// A table of boxes is a scene for other commands too; a bad one names its line.
+#[test]
+fn a_table_of_boxes_is_a_scene() {
+    let place = Place::new();
+    place.write("two.csv", &two(0.2));
+    assert!(place.expect(0, &["run", "two.csv", "--duration", "0.1"]).stdout.starts_with("scene two\n"));
+    place.expect(1, &["stands", "two.csv", "--set", "materials.boxes.friction=0", "--set", "gravity=[5, 0, -9.81]"]);
+    place.write("bad.csv", &format!("{COLUMNS}low,0.4,0.3,0.2,0,0,x,5\n"));
+    let run = place.expect(2, &["stands", "bad.csv"]);
+    assert!(run.stderr.contains("bad.csv:2: `z` is `x`") && run.stderr.contains("size_x"), "{}", run.stderr);
+}
