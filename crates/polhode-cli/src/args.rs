@@ -85,8 +85,8 @@ pub(crate) enum Command {
 /// A scene and changes to it.
 #[derive(Debug, Args)]
 pub(crate) struct SceneArgs {
-    /// Scene file (TOML), robot file (.urdf, .xml, .mjcf) or table of boxes (.csv); `-` reads a scene from stdin, `example:NAME` is a shipped
-    /// one (`polhode scenes` lists them)
+    /// Scene file (TOML), robot file (.urdf, .xml, .mjcf) or table of boxes (.csv); `-` reads a scene from stdin,
+    /// `example:NAME` is a shipped one (`polhode scenes` lists them)
     pub(crate) scene: PathBuf,
     #[command(flatten)]
     pub(crate) changes: ChangeArgs,

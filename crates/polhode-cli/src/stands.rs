@@ -4,14 +4,14 @@
 //! bodies at rest, and none moves in the first step. The two are independent: one solves for forces, the other
 //! integrates.
 
-use crate::args::StandsArgs;
+use crate::args::{SceneArgs, StandsArgs};
 use crate::failure::Failure;
 use crate::progress::Progress;
+use crate::scene::{self, SceneText};
+use crate::stdout;
 use crate::text::stands::{self, Standing};
-use crate::{scene, stdout};
-use polhode::scene::{Method, Tier};
 use polhode::{BodyId, BodySample, Effects, ErrorEstimation, Simulation, SimulationError};
-use polhode_scene::LoadedScene;
+use polhode_scene::{LoadedScene, Override};
 use polhode_study::Threads;
 use std::sync::Arc;
 
@@ -22,7 +22,7 @@ const MOVES: f64 = 1e-3;
 /// Says whether the bodies stand; exit code 1 where they do not.
 pub(crate) fn stands(args: &StandsArgs) -> Result<(), Failure> {
     let progress = Progress::new("looking for what holds the bodies");
-    let loaded = scene::load(&args.scene)?;
+    let loaded = loaded(&args.scene)?;
     let standing = found(&loaded).map_err(|error| scene::failed(&loaded, error))?;
     drop(progress);
     if args.json {
@@ -33,13 +33,23 @@ pub(crate) fn stands(args: &StandsArgs) -> Result<(), Failure> {
     if standing.stands() { Ok(()) } else { Err(Failure::Check(String::new())) }
 }
 
-/// Looks at the scene as it is, and at its first step: by time steps, unless the scene names a tier, since the tier
-/// `accurate` takes long over hundreds of contacts that move.
+/// The scene: by time steps, unless it names a tier, since the most accurate one takes long over hundreds of contacts
+/// that move.
+fn loaded(args: &SceneArgs) -> Result<LoadedScene, Failure> {
+    let text = SceneText::of(&args.scene)?;
+    let mut changes = scene::overrides(&args.changes)?;
+    let loaded = text.load(&changes)?;
+    if loaded.scene.method().tier.is_some() {
+        return Ok(loaded);
+    }
+    changes.push(Override::new("stands", "method.tier", "stepped"));
+    Ok(text.load(&changes)?)
+}
+
+/// Looks at the scene as it is, and at its first step.
 fn found(loaded: &LoadedScene) -> Result<Standing, SimulationError> {
-    let tier = loaded.scene.method().tier.or(Some(Tier::Stepped));
-    let scene = loaded.scene.clone().with_method(Method { tier, ..loaded.scene.method().clone() });
     // In space, also where the motion is planar: a push comes from any side.
-    let mut simulation = Simulation::with_effects(&scene, Effects::All)?.estimating(ErrorEstimation::Off);
+    let mut simulation = Simulation::with_effects(&loaded.scene, Effects::All)?.estimating(ErrorEstimation::Off);
     simulation.set_executor(Arc::new(Threads::of_machine()));
     let stability = simulation.stability()?;
     // What touches nothing moves, and is in no analysis. Events at the start are steps of no length.
@@ -49,9 +59,9 @@ fn found(loaded: &LoadedScene) -> Result<Standing, SimulationError> {
             break t_s;
         }
     };
-    let least = MOVES * scene.gravity().length() * t_s;
+    let least = MOVES * loaded.scene.gravity().length() * t_s;
     let speed_of = |own: &BodySample| own.velocity.linear.length() + own.velocity.angular.length();
-    let moves = |number: usize| scene.bodies().get(number).is_some_and(|body| !body.is_fixed());
+    let moves = |number: usize| loaded.scene.bodies().get(number).is_some_and(|body| !body.is_fixed());
     let speeds = simulation.bodies().into_iter().enumerate().map(|(number, own)| (BodyId::new(number), speed_of(&own)));
     let mut moving: Vec<(BodyId, f64)> = speeds.filter(|(body, speed)| moves(body.index()) && *speed > least).collect();
     moving.sort_by(|a, b| b.1.total_cmp(&a.1));

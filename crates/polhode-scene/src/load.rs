@@ -103,8 +103,8 @@ fn on_one_line(text: &str) -> Option<String> {
 }
 
 /// Loads a scene from a file. Paths of meshes are relative to the file. A robot file (`.urdf`, `.xml`, `.mjcf`) stands
-/// for a scene of the robot, for two seconds, with a floor below it unless the world holds it. A table of boxes (`.csv`)
-/// stands for a scene of these on a floor.
+/// for a scene of the robot, for two seconds, with a floor below it unless the world holds it. A table of boxes
+/// (`.csv`) stands for a scene of these on a floor.
 ///
 /// # Errors
 /// [`SceneFileError`]: the file, its text, a key or a value is refused, with the place and the line.
