@@ -3,6 +3,7 @@
 use crate::help;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use polhode::ErrorEstimation;
+use polhode_study::Threads;
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
 
@@ -219,13 +220,8 @@ pub(crate) struct SweepArgs {
     #[arg(long, value_name = "I/N", value_parser = shard, requires = "output")]
     pub(crate) shard: Option<[u64; 2]>,
     /// Runs at a time; the table is the same for any number [default: as many as the machine has processors]
-    #[arg(long, value_name = "N", default_value_t = processors(), hide_default_value = true)]
+    #[arg(long, value_name = "N", default_value_t = Threads::of_machine().0, hide_default_value = true)]
     pub(crate) workers: NonZeroUsize,
-}
-
-/// As many as this machine runs at once.
-fn processors() -> NonZeroUsize {
-    std::thread::available_parallelism().unwrap_or(NonZeroUsize::MIN)
 }
 
 /// A shard, as 2/8.

@@ -184,6 +184,9 @@ impl Measure {
                 let limit = if size == 0 { "it is one number".to_owned() } else { format!("[0] to [{}]", size - 1) };
                 Err(refused(format!("[{component}]: {limit}")))
             }
+            None if matches!(of, Of::Body(_, OfBody::Orientation)) => {
+                Err(refused("the length of a unit quaternion says nothing: [0] to [3] is needed".to_owned()))
+            }
             component => Ok(Measured::new(of, component, when)),
         }
     }
@@ -309,7 +312,6 @@ impl Measured {
             OfBody::AngularVelocity => self.note_vector(sample.velocity.angular),
             OfBody::Orientation => {
                 let own = sample.pose.rotation.quaternion();
-                // The length of a unit quaternion says nothing: without a number it is that of w.
                 self.note([own.w, own.x, own.y, own.z][self.component.unwrap_or(0).min(3)]);
             }
         }
