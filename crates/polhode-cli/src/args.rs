@@ -153,15 +153,26 @@ pub(crate) struct RunOutputArgs {
     /// goes to stderr; `resume`: from the checkpoint on (may be given several times)
     #[arg(short, long, value_name = "FILE")]
     pub(crate) output: Vec<PathBuf>,
-    /// What is plotted over time, into the .svg files of -o [default with -o FILE.svg: all]
-    #[arg(long, value_name = "LIST", value_enum, value_delimiter = ',')]
-    pub(crate) plot: Vec<RunPlotArg>,
+    /// What is plotted over time, into the .svg files of -o: energy, ledger, penetration, contacts, steps,
+    /// joint-coordinates, joint-rates, joint-forces, joint-moments, joint-powers, or any quantity of a body, a joint or
+    /// contacts by name (torque:crank, bodies.box.position[2], normal_force:box/floor) [default with -o FILE.svg: all
+    /// but those of joints]
+    #[arg(long, value_name = "LIST", value_delimiter = ',')]
+    pub(crate) plot: Vec<String>,
+    /// Plots the quantities of --plot against this one instead of time, as angle:crank
+    #[arg(long, value_name = "QUANTITY", requires = "plot")]
+    pub(crate) against: Option<String>,
     /// Writes the events as CSV (`resume`: from the checkpoint on)
     #[arg(long, value_name = "FILE")]
     pub(crate) events: Option<PathBuf>,
-    /// Writes coordinates, loads and powers of the joints at every sample as CSV (`resume`: from the checkpoint on)
+    /// Writes coordinates, loads and powers of the joints at every sample as CSV, and what acts along each coordinate by
+    /// its cause: drive, gear, spring, damper, dry friction, limit, and the reaction (`resume`: from the checkpoint on)
     #[arg(long, value_name = "FILE")]
     pub(crate) joints: Option<PathBuf>,
+    /// Writes points, normals and forces of the contacts at every sample as CSV, and which forces are not unique
+    /// (`resume`: from the checkpoint on)
+    #[arg(long, value_name = "FILE")]
+    pub(crate) contacts: Option<PathBuf>,
     /// Prints the report of the whole run as JSON
     #[arg(long)]
     pub(crate) json: bool,
@@ -251,31 +262,6 @@ impl From<ErrorArg> for ErrorEstimation {
             ErrorArg::Full => Self::Full,
         }
     }
-}
-
-/// What is plotted of a run.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub(crate) enum RunPlotArg {
-    /// Kinetic, potential and total energy
-    Energy,
-    /// Where the energy went
-    Ledger,
-    /// How deep bodies overlap
-    Penetration,
-    /// How many contacts touch and bear a load, and how many bodies rest
-    Contacts,
-    /// How long the steps are
-    Steps,
-    /// Angles and displacements of joints
-    JointCoordinates,
-    /// Rates of joints
-    JointRates,
-    /// Magnitudes of the forces in joints
-    JointForces,
-    /// Magnitudes of the moments in joints
-    JointMoments,
-    /// What motors, springs, dampers, prescribed motions and gears of joints give
-    JointPowers,
 }
 
 /// Where and when checkpoints are written.

@@ -9,6 +9,7 @@ Examples:
   polhode run scene.toml -o motion.csv -o page.html
   polhode run example:diamond-4 --duration 2
   polhode run example:box-drop --tier stepped --second-opinion
+  polhode run example:slider-crank-driven --plot torque:crank --against angle:crank -o torque.svg
   polhode run - --set gravity=[0,0,-1.62] -o - < scene.toml > motion.csv";
 
 pub(crate) const RESUME: &str = "\

@@ -18,7 +18,7 @@
 //! | `viewpoint` | from where pictures are taken |
 //! | `pictures` | the pages, pictures and models that a run is shown as |
 //! | `heading` | title and description of what is shown |
-//! | `plots` | the plots of a run over time |
+//! | `plots`, `quantity_plots` | the plots of a run over time; of single quantities by name |
 //! | `watch` | the observer of a run: tells outputs and pictures |
 //! | `interrupt` | Ctrl-C and SIGTERM |
 //! | `meant` | the command that was meant by a mistyped one |
@@ -76,6 +76,7 @@ mod pictures;
 mod plan;
 mod plots;
 mod progress;
+mod quantity_plots;
 mod run;
 mod run_files;
 mod scene;

@@ -1,9 +1,11 @@
 //! Plots of a run over time: the SVG files of `polhode run` and `polhode resume`.
 
 use crate::abandoned;
-use crate::args::RunPlotArg;
 use crate::failure::Failure;
-use polhode::{BodySample, Event, Flow, Frame, JointSample, Observer, Plan, RunReport, Simulation};
+use crate::quantity_plots::{QuantityPlots, Wanted};
+use polhode::{
+    BodySample, ContactSample, Energy, Event, Flow, Frame, JointSample, Observer, Plan, RunReport, Simulation,
+};
 use polhode_scene::{AtomicFile, LoadedScene, ended_line, methods_line};
 use polhode_view::plot::{RunPlot, RunPlots};
 use std::io::{self, Write as _};
@@ -13,6 +15,7 @@ use std::path::{Path, PathBuf};
 pub(crate) struct Plots {
     files: Vec<AtomicFile>,
     asked: Vec<RunPlot>,
+    quantities: QuantityPlots,
     drawn: Option<RunPlots>,
 }
 
@@ -22,11 +25,17 @@ pub(crate) fn is_plot(path: &Path) -> bool {
 }
 
 impl Plots {
-    /// Opens the files.
+    /// Opens the files. What is asked for are the words of `--plot` and `--against`.
     ///
     /// # Errors
-    /// When plots are asked for and no file is, or a file cannot be opened.
-    pub(crate) fn create(paths: &[PathBuf], asked: &[RunPlotArg]) -> Result<Self, Failure> {
+    /// When a word is no plot and no quantity of the scene, plots are asked for and no file is, or a file cannot be
+    /// opened.
+    pub(crate) fn create(
+        paths: &[PathBuf],
+        (asked, against): (&[String], Option<&str>),
+        loaded: &LoadedScene,
+    ) -> Result<Self, Failure> {
+        let Wanted { panels, quantities } = Wanted::of(asked, against, loaded)?;
         if let (Some(_), []) = (asked.first(), paths) {
             let what = "error: --plot: no file is named for the plots: add -o FILE.svg".to_owned();
             return Err(Failure::Usage(what));
@@ -36,8 +45,8 @@ impl Plots {
         for file in &files {
             abandoned::note(file.left_behind());
         }
-        let asked = if asked.is_empty() { RunPlot::ALL.to_vec() } else { asked.iter().copied().map(plot).collect() };
-        Ok(Self { files, asked, drawn: None })
+        let asked = if asked.is_empty() { RunPlot::ALL.to_vec() } else { panels };
+        Ok(Self { files, asked, quantities, drawn: None })
     }
 
     /// The temporary names of the files.
@@ -69,9 +78,16 @@ impl Plots {
         self.write(&methods_line(plan), Some(reason.trim_start_matches("error: ")))
     }
 
-    fn write(self, subtitle: &str, stopped: Option<&str>) -> Result<(), Failure> {
+    fn write(mut self, subtitle: &str, stopped: Option<&str>) -> Result<(), Failure> {
         let Some(drawn) = self.drawn else { return Ok(()) };
-        let svg = drawn.svg(subtitle, stopped);
+        let is_against = self.quantities.is_against();
+        let curves = self.quantities.finished();
+        let svg = if is_against {
+            let why = stopped.map_or_else(String::new, |reason| format!("; ended early: {reason}"));
+            curves.svg(&format!("{subtitle}{why}"))
+        } else {
+            drawn.svg_with(curves.panels(), subtitle, stopped)
+        };
         for mut file in self.files {
             let written = file.write_all(svg.as_bytes()).and_then(|()| file.commit());
             written.map_err(|error| cannot_write(file.target(), &error))?;
@@ -80,73 +96,66 @@ impl Plots {
     }
 }
 
-const fn plot(asked: RunPlotArg) -> RunPlot {
-    match asked {
-        RunPlotArg::Energy => RunPlot::Energy,
-        RunPlotArg::Ledger => RunPlot::Ledger,
-        RunPlotArg::Penetration => RunPlot::Penetration,
-        RunPlotArg::Contacts => RunPlot::Contacts,
-        RunPlotArg::Steps => RunPlot::Steps,
-        RunPlotArg::JointCoordinates => RunPlot::JointCoordinates,
-        RunPlotArg::JointRates => RunPlot::JointRates,
-        RunPlotArg::JointForces => RunPlot::JointForces,
-        RunPlotArg::JointMoments => RunPlot::JointMoments,
-        RunPlotArg::JointPowers => RunPlot::JointPowers,
-    }
-}
-
 /// That a file of plots cannot be written.
 pub(crate) fn cannot_write(path: &Path, error: &io::Error) -> Failure {
     Failure::InputOutput(format!("error: cannot write {}: {error}", path.display()))
 }
 
+impl Plots {
+    /// Those who are told of the run: none where nothing is drawn.
+    fn told(&mut self) -> impl Iterator<Item = &mut dyn Observer> {
+        let quantities = (!self.files.is_empty() && !self.quantities.is_empty()).then_some(&mut self.quantities);
+        let drawn = self.drawn.as_mut().map(|own| own as &mut dyn Observer);
+        drawn.into_iter().chain(quantities.map(|own| own as &mut dyn Observer))
+    }
+
+    fn wants(&self, wants: impl Fn(&dyn Observer) -> bool) -> bool {
+        self.drawn.as_ref().is_some_and(|own| wants(own)) || (!self.files.is_empty() && wants(&self.quantities))
+    }
+}
+
 impl Observer for Plots {
-    fn sample(&mut self, _t: f64, _bodies: &[BodySample]) {}
+    fn sample(&mut self, t_s: f64, bodies: &[BodySample]) {
+        self.told().for_each(|own| own.sample(t_s, bodies));
+    }
 
     fn event(&mut self, event: &Event) {
-        if let Some(drawn) = &mut self.drawn {
-            drawn.event(event);
-        }
+        self.told().for_each(|own| own.event(event));
     }
 
     fn wants_frames(&self) -> bool {
-        self.drawn.as_ref().is_some_and(Observer::wants_frames)
+        self.wants(|own| own.wants_frames())
     }
 
     fn frame(&mut self, frame: &Frame) {
-        if let Some(drawn) = &mut self.drawn {
-            drawn.frame(frame);
-        }
+        self.told().for_each(|own| own.frame(frame));
     }
 
     fn wants_joints(&self) -> bool {
-        self.drawn.as_ref().is_some_and(Observer::wants_joints)
+        self.wants(|own| own.wants_joints())
     }
 
     fn joints(&mut self, t_s: f64, joints: &[JointSample]) {
-        if let Some(drawn) = &mut self.drawn {
-            drawn.joints(t_s, joints);
-        }
+        self.told().for_each(|own| own.joints(t_s, joints));
+    }
+
+    fn wants_contacts(&self) -> bool {
+        self.wants(|own| own.wants_contacts())
+    }
+
+    fn contacts(&mut self, t_s: f64, contacts: &[ContactSample]) {
+        self.told().for_each(|own| own.contacts(t_s, contacts));
+    }
+
+    fn wants_energies(&self) -> bool {
+        self.wants(|own| own.wants_energies())
+    }
+
+    fn energy(&mut self, t_s: f64, energy: &Energy) {
+        self.told().for_each(|own| own.energy(t_s, energy));
     }
 
     fn progress(&mut self, t: f64) -> Flow {
         self.drawn.as_mut().map_or(Flow::Continue, |drawn| drawn.progress(t))
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    //! The names of plots are those of the library.
-    use super::*;
-    use clap::ValueEnum;
-
-    #[test]
-    fn plots_have_the_names_of_the_library() {
-        let all: Vec<RunPlot> = RunPlotArg::value_variants().iter().copied().map(plot).collect();
-        assert_eq!(all, [RunPlot::ALL, RunPlot::OF_JOINTS].concat());
-        for own in RunPlotArg::value_variants() {
-            let name = own.to_possible_value().map(|value| value.get_name().to_owned());
-            assert_eq!(name.as_deref(), Some(plot(*own).name()));
-        }
     }
 }

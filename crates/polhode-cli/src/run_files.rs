@@ -46,14 +46,16 @@ impl RunFiles {
     ) -> Result<Self, Failure> {
         check_stdout(asked)?;
         let (to_stdout, output): (Vec<_>, Vec<_>) = asked.output.iter().cloned().partition(|path| is_stdout(path));
-        let tables: Vec<&Path> = asked.events.iter().chain(&asked.joints).map(PathBuf::as_path).collect();
+        let tables: Vec<&Path> =
+            asked.events.iter().chain(&asked.joints).chain(&asked.contacts).map(PathBuf::as_path).collect();
         check_names(&output, &tables, inputs, checkpoints)?;
         let is_picture = |path: &&PathBuf| Kind::of(path).is_some();
         let shown: Vec<PathBuf> = output.iter().filter(is_picture).cloned().collect();
         let plotted: Vec<PathBuf> = output.iter().filter(|path| is_plot(path)).cloned().collect();
         let is_trajectory = |path: &&PathBuf| !is_picture(path) && !is_plot(path);
         let trajectories: Vec<PathBuf> = output.iter().filter(is_trajectory).cloned().collect();
-        let plots = interrupt.remove(|| Plots::create(&plotted, &asked.plot), Plots::temporary)?;
+        let wanted = (&asked.plot[..], asked.against.as_deref());
+        let plots = interrupt.remove(|| Plots::create(&plotted, wanted, loaded), Plots::temporary)?;
         let heading = Heading::of(std::iter::once(loaded));
         let create = || Pictures::create(&shown, &heading, Options::default());
         let mut pictures = interrupt.remove(create, |pictures| pictures.temporary().to_vec())?;
@@ -63,8 +65,12 @@ impl RunFiles {
                 _ => Outputs::create_with_errors,
             };
             let outputs = create(&loaded.scene, &trajectories, asked.events.as_deref())?;
-            match &asked.joints {
-                Some(path) => outputs.with_joints(path, loaded.joint_names()),
+            let outputs = match &asked.joints {
+                Some(path) => outputs.with_joints(path, loaded.joint_names())?,
+                None => outputs,
+            };
+            match &asked.contacts {
+                Some(path) => outputs.with_contacts(path),
                 None => Ok(outputs),
             }
         };
@@ -146,6 +152,8 @@ fn check_stdout(asked: &RunOutputArgs) -> Result<(), Failure> {
     let count = asked.output.iter().filter(|path| is_stdout(path)).count();
     let refused = if asked.joints.as_deref().is_some_and(is_stdout) {
         "error: --joints -: only trajectories go to stdout, by -o -; give a file"
+    } else if asked.contacts.as_deref().is_some_and(is_stdout) {
+        "error: --contacts -: only trajectories go to stdout, by -o -; give a file"
     } else if asked.events.as_deref().is_some_and(is_stdout) {
         "error: --events -: only trajectories go to stdout, by -o -; give a file"
     } else if count > 1 {

@@ -2,7 +2,7 @@
 
 use crate::interrupt::Interrupt;
 use crate::progress::Progress;
-use polhode::{BodyError, BodySample, Event, Flow, Frame, JointSample, Observer};
+use polhode::{BodyError, BodySample, ContactSample, Energy, Event, Flow, Frame, JointSample, Observer};
 
 /// Tells all that a run is watched by, shows progress, and stops the run at Ctrl-C, SIGTERM or when a checkpoint is
 /// due.
@@ -40,6 +40,22 @@ impl Observer for Watch<'_> {
 
     fn joints(&mut self, t: f64, joints: &[JointSample]) {
         self.observers.iter_mut().for_each(|observer| observer.joints(t, joints));
+    }
+
+    fn wants_contacts(&self) -> bool {
+        self.observers.iter().any(|observer| observer.wants_contacts())
+    }
+
+    fn contacts(&mut self, t: f64, contacts: &[ContactSample]) {
+        self.observers.iter_mut().for_each(|observer| observer.contacts(t, contacts));
+    }
+
+    fn wants_energies(&self) -> bool {
+        self.observers.iter().any(|observer| observer.wants_energies())
+    }
+
+    fn energy(&mut self, t: f64, energy: &Energy) {
+        self.observers.iter_mut().for_each(|observer| observer.energy(t, energy));
     }
 
     fn wants_errors(&self) -> bool {

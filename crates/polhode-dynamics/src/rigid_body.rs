@@ -140,6 +140,20 @@ impl RigidBody {
         self.axes
     }
 
+    /// The inverse of the generalised mass of linear and angular velocities in world axes (6x6, row by row) of the body
+    /// turned by `rotation` (`R_WB`).
+    pub fn inverse_mass_block(&self, rotation: Rotation) -> [f64; 36] {
+        let mut block = [0.0; 36];
+        let inverse_inertia = self.inverse_inertia_world(rotation);
+        for i in 0..3 {
+            block[i * 6 + i] = self.inverse_mass();
+            for j in 0..3 {
+                block[(3 + i) * 6 + 3 + j] = inverse_inertia.col(j)[i];
+            }
+        }
+        block
+    }
+
     /// `R I^-1 R^T`, 1/(kg m^2), in world axes, of the body turned by `rotation` (`R_WB`).
     pub fn inverse_inertia_world(&self, rotation: Rotation) -> DMat3 {
         matrix_from_principal(rotation * self.axes, self.moments.recip())

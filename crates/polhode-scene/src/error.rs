@@ -550,7 +550,7 @@ fn is_of_material(key: &str, accepted: &str) -> bool {
 }
 
 /// The question whether one of a list of quoted words was meant; empty when none is like the word.
-fn meant(word: &str, list: &str) -> String {
+pub(crate) fn meant(word: &str, list: &str) -> String {
     let near = list.split('`').skip(1).step_by(2).map(|known| (edits(word, known), known)).min();
     near.filter(|(_, known)| is_slip_of(word, known))
         .map_or_else(String::new, |(_, known)| format!("did you mean `{known}`? "))

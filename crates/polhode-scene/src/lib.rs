@@ -16,6 +16,7 @@
 //! | [`shown`] | what pages and plots say of a run |
 //! | [`mesh_file`], [`mesh_report`] | mesh files; diagnosis and mass properties |
 //! | [`names`] | words for methods |
+//! | [`quantity`] | quantities of bodies, joints and contacts by name |
 //! | `build` | from the format to the engine's scene |
 //! | `document` | a scene file that knows where each of its values stands |
 //! | `robot` | robots from URDF and MJCF files |
@@ -68,6 +69,7 @@ pub mod mesh_file;
 pub mod mesh_report;
 pub mod names;
 pub mod output;
+pub mod quantity;
 pub mod report;
 pub mod robot;
 pub mod schema;
@@ -91,6 +93,7 @@ pub use load::{LoadedScene, load, load_text, load_with, load_with_meshes};
 pub use mesh_file::read_mesh;
 pub use mesh_report::{Filling, MeshReport};
 pub use output::{AtomicFile, CsvStream, LeftBehind, OutputError, Outputs, Unfinished};
+pub use quantity::{Quantity, QuantityError};
 pub use report::{
     broken_json, certificate_json, plan_json, plan_with_accelerations_json, report_json, scene_report_json,
     stability_json,

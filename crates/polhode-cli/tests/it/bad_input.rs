@@ -254,7 +254,7 @@ const COMMANDS: &[Case] = &[
     (2, &["run", "scene.toml", "--duration", "-0"], "0 is not accepted"),
     (2, &["run", "scene.toml", "--accuracy", "nan"], "a positive number"),
     (2, &["run", "scene.toml", "--checkpoint", "kept.csv"], "is no checkpoint: give another file"),
-    (2, &["run", "scene.toml", "--plot", "heat", "-o", "a.svg"], "invalid value 'heat'"),
+    (2, &["run", "scene.toml", "--plot", "heat", "-o", "a.svg"], "`heat` names no quantity"),
     (2, &["resume", "kept.csv", "-o", "kept.csv"], "is no checkpoint"),
     (2, &["resume", "scene.toml", "--tier", "thesis"], "unexpected argument '--tier'"),
     (2, &["cost", "scene.toml", "--budget", "nan"], "a positive number"),

@@ -2,7 +2,7 @@
 //! events and joints stay in their places among the samples, so that what a program that is killed leaves ends at one
 //! time. What waits is bounded: a run may make a single step of many samples, or be compared late.
 
-use polhode::{BodySample, Event, JointSample};
+use polhode::{BodySample, ContactSample, Event, JointSample};
 use std::collections::VecDeque;
 
 /// Bytes of samples that wait at the most: 250 samples of ten thousand bodies. Beyond, the first are written without
@@ -18,6 +18,8 @@ pub(super) enum Told {
     Event(Event),
     /// The joints at a time, s.
     Joints(f64, Vec<JointSample>),
+    /// The contacts at a time, s.
+    Contacts(f64, Vec<ContactSample>),
 }
 
 /// What is held back, in the order in which it was told.

@@ -2,30 +2,11 @@
 
 use super::Sink;
 use crate::csv::{write_field, write_number};
+pub use crate::quantity::JOINT_COLUMNS;
+use crate::quantity::{EFFORTS, of_joint};
 use polhode::scene::Coordinate;
 use polhode::{JointId, JointSample};
 use std::io;
-
-/// Columns of the joints file: time (s), the joint, its coordinates with their rates (rad, rad/s, m, m/s; empty where
-/// the joint has no such coordinate), the force (N) and the moment (N m) on its first body at its anchor in the world,
-/// and the power that it gives to its bodies (W).
-pub const JOINT_COLUMNS: [&str; 15] = [
-    "t",
-    "joint",
-    "angle",
-    "angle_rate",
-    "displacement",
-    "displacement_rate",
-    "distance",
-    "distance_rate",
-    "fx",
-    "fy",
-    "fz",
-    "mx",
-    "my",
-    "mz",
-    "power",
-];
 
 /// Writes the first line.
 pub(super) fn begin(out: &mut dyn Sink) -> io::Result<()> {
@@ -45,19 +26,29 @@ pub(super) fn rows(out: &mut dyn Sink, t_s: f64, joints: &[JointSample], names: 
             }
         }
         let load = joint.load.map(|load| [load.force_n.to_array(), load.moment_n_m.to_array()]);
-        for place in 0..6 {
-            optional(out, load.map(|load| load.as_flattened()[place]))?;
-        }
+        six(out, load)?;
         optional(out, joint.power_w)?;
+        for (_, effort) in EFFORTS {
+            optional(out, of_joint(joint, effort))?;
+        }
+        six(out, joint.reaction.map(|own| [own.force_n.to_array(), own.moment_n_m.to_array()]))?;
         out.write_all(b"\n")?;
     }
     Ok(())
 }
 
-/// A comma, and a number where there is one.
+/// A force and a moment, where they are known.
+fn six(out: &mut dyn Sink, load: Option<[[f64; 3]; 2]>) -> io::Result<()> {
+    for place in 0..6 {
+        optional(out, load.map(|load| load.as_flattened()[place]))?;
+    }
+    Ok(())
+}
+
+/// A comma, and a number where there is one that is known.
 fn optional(out: &mut dyn Sink, number: Option<f64>) -> io::Result<()> {
     match number {
-        Some(number) => write_number(out, number),
-        None => out.write_all(b","),
+        Some(number) if !number.is_nan() => write_number(out, number),
+        _ => out.write_all(b","),
     }
 }

@@ -13,10 +13,12 @@
 //! | `error_columns` | the columns of the estimated errors |
 //! | `held_back` | samples whose errors are not known yet |
 //! | `events` | events as CSV |
-//! | `joints` | coordinates, loads and powers of joints as CSV |
+//! | `joints` | coordinates, what acts along them, loads and powers of joints as CSV |
+//! | `contacts` | contact points with their forces as CSV |
 //! | `outputs` | [`Outputs`]: the observer |
 
 pub mod atomic_file;
+mod contacts;
 mod csv;
 mod csv_stream;
 mod error_columns;
@@ -28,6 +30,7 @@ mod npy;
 mod outputs;
 
 pub use atomic_file::{AtomicFile, LeftBehind, Unfinished};
+pub use contacts::CONTACT_COLUMNS;
 pub use csv::COLUMNS;
 pub use csv_stream::CsvStream;
 pub use error_columns::ERROR_COLUMNS;

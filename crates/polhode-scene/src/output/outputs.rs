@@ -5,8 +5,8 @@ use super::csv::Csv;
 use super::held_back::{HeldBack, Told};
 use super::json::Json;
 use super::npy::Npy;
-use super::{ErrorColumns, TrajectoryFormat, cut_to_line, events, joints};
-use polhode::{BodyError, BodySample, Event, Flow, JointSample, Observer, Scene};
+use super::{ErrorColumns, Sink, TrajectoryFormat, contacts, cut_to_line, events, joints};
+use polhode::{BodyError, BodySample, ContactSample, Event, Flow, JointSample, Observer, Scene};
 use std::fs::File;
 use std::io::{self, Cursor, Write as _};
 use std::path::{Path, PathBuf};
@@ -22,7 +22,7 @@ pub enum OutputError {
         path: PathBuf,
     },
     /// The ending of a file's name says that it holds something else than events.
-    #[error("{}: events and joints are written as CSV: name a file that ends in .csv", path.display())]
+    #[error("{}: events, joints and contacts are written as CSV: name a file that ends in .csv", path.display())]
     EventsEnding {
         /// The file.
         path: PathBuf,
@@ -96,6 +96,7 @@ pub struct Outputs {
     events: Option<AtomicFile>,
     /// The file of joints, and their names.
     joints: Option<(AtomicFile, Vec<String>)>,
+    contacts: Option<AtomicFile>,
     /// What waits for the errors of a sample; none where errors are not written.
     held: Option<HeldBack>,
     fault: Option<OutputError>,
@@ -145,8 +146,15 @@ impl Outputs {
         for path in trajectories {
             formats.push(format_of(path, scene.name(), &bodies, error_columns)?);
         }
-        let mut outputs =
-            Self { bodies, trajectories: Vec::new(), events: None, joints: None, held: None, fault: None };
+        let mut outputs = Self {
+            bodies,
+            trajectories: Vec::new(),
+            events: None,
+            joints: None,
+            contacts: None,
+            held: None,
+            fault: None,
+        };
         for (path, mut format) in trajectories.iter().zip(formats) {
             let mut mender = format.mender();
             let file = AtomicFile::create_mending(path, |open| {
@@ -158,14 +166,7 @@ impl Outputs {
             outputs.trajectories.push((file, format));
         }
         if let Some(path) = events {
-            let file = AtomicFile::create_mending(path, |open| {
-                let mut empty = Cursor::new(Vec::new());
-                events::begin(&mut empty)?;
-                mended(open, empty.position(), cut_to_line)
-            });
-            let mut file = file.map_err(|source| fault(path, source))?;
-            events::begin(&mut file).map_err(|source| fault(path, source))?;
-            outputs.events = Some(file);
+            outputs.events = Some(table(path, events::begin)?);
         }
         Ok(outputs)
     }
@@ -175,21 +176,33 @@ impl Outputs {
     /// # Errors
     /// When its ending is another than `.csv`, its name is that of another output, or it cannot be opened.
     pub fn with_joints(mut self, path: &Path, names: Vec<String>) -> Result<Self, OutputError> {
+        let file = self.another_table(path, joints::begin)?;
+        self.joints = Some((file, names));
+        Ok(self)
+    }
+
+    /// The same with a file (CSV) of the contacts: points, normals, forces, and what of them is not unique.
+    ///
+    /// # Errors
+    /// As [`Outputs::with_joints`].
+    pub fn with_contacts(mut self, path: &Path) -> Result<Self, OutputError> {
+        self.contacts = Some(self.another_table(path, contacts::begin)?);
+        Ok(self)
+    }
+
+    /// A further table.
+    fn another_table(
+        &mut self,
+        path: &Path,
+        begin: impl Fn(&mut dyn Sink) -> io::Result<()>,
+    ) -> Result<AtomicFile, OutputError> {
         if !may_hold_events(path) {
             return Err(OutputError::EventsEnding { path: path.to_owned() });
         }
         if self.files().any(|file| file.target() == path) {
             return Err(OutputError::Twice { path: path.to_owned() });
         }
-        let file = AtomicFile::create_mending(path, |open| {
-            let mut empty = Cursor::new(Vec::new());
-            joints::begin(&mut empty)?;
-            mended(open, empty.position(), cut_to_line)
-        });
-        let mut file = file.map_err(|source| fault(path, source))?;
-        joints::begin(&mut file).map_err(|source| fault(path, source))?;
-        self.joints = Some((file, names));
-        Ok(self)
+        table(path, begin)
     }
 
     /// Completes all files and moves them to their names.
@@ -221,13 +234,14 @@ impl Outputs {
         }
         kept.extend(self.events.as_mut().and_then(|file| file.salvage(cut_to_line).ok()));
         kept.extend(self.joints.as_mut().and_then(|(file, _)| file.salvage(cut_to_line).ok()));
+        kept.extend(self.contacts.as_mut().and_then(|file| file.salvage(cut_to_line).ok()));
         if kept.is_empty() { fault } else { OutputError::Kept { fault: Box::new(fault), kept } }
     }
 
     /// What programs that were killed while they wrote the same files had left behind.
     pub fn left_behind(&self) -> Vec<LeftBehind> {
         let files = self.trajectories.iter().map(|(file, _)| file).chain(&self.events);
-        let files = files.chain(self.joints.iter().map(|(file, _)| file));
+        let files = files.chain(self.joints.iter().map(|(file, _)| file)).chain(&self.contacts);
         files.flat_map(|file| file.left_behind().to_vec()).collect()
     }
 
@@ -239,7 +253,8 @@ impl Outputs {
         });
         let events = self.events.as_ref().and_then(|file| file.unfinished(cut_to_line));
         let joints = self.joints.as_ref().and_then(|(file, _)| file.unfinished(cut_to_line));
-        trajectories.chain(events).chain(joints).collect()
+        let contacts = self.contacts.as_ref().and_then(|file| file.unfinished(cut_to_line));
+        trajectories.chain(events).chain(joints).chain(contacts).collect()
     }
 
     /// After a run that failed: keeps what has been written under the names with `.partial` at their end, which are
@@ -261,7 +276,7 @@ impl Outputs {
     }
 
     /// Brings all files to the disk as soon as a part of one has come there: what a program that is killed leaves of
-    /// samples, events and joints ends at the same time.
+    /// samples, events, joints and contacts ends at the same time.
     fn flush_together(&mut self) -> Result<(), OutputError> {
         if !self.files().any(|file| file.has_spilled()) {
             return Ok(());
@@ -283,7 +298,8 @@ impl Outputs {
 
     fn files(&mut self) -> impl Iterator<Item = &mut AtomicFile> {
         let joints = self.joints.iter_mut().map(|(file, _)| file);
-        self.trajectories.iter_mut().map(|(file, _)| file).chain(self.events.as_mut()).chain(joints)
+        let tables = self.events.iter_mut().chain(joints).chain(&mut self.contacts);
+        self.trajectories.iter_mut().map(|(file, _)| file).chain(tables)
     }
 }
 
@@ -322,6 +338,17 @@ impl Outputs {
         }
     }
 
+    fn write_contacts(&mut self, t_s: f64, contacts: &[ContactSample]) {
+        if self.fault.is_some() {
+            return;
+        }
+        if let Some(file) = &mut self.contacts
+            && let Err(source) = contacts::rows(file, t_s, contacts, &self.bodies)
+        {
+            self.fault = Some(fault(file.target(), source));
+        }
+    }
+
     /// Writes what was told until the sample at `t` (s), which has these errors.
     fn release(&mut self, t: f64, errors: Option<&[BodyError]>) {
         while let Some(told) = self.held.as_mut().and_then(|held| held.pop_until(t)) {
@@ -331,6 +358,7 @@ impl Outputs {
                 }
                 Told::Event(event) => self.write_event(&event),
                 Told::Joints(t_s, joints) => self.write_joints(t_s, &joints),
+                Told::Contacts(t_s, contacts) => self.write_contacts(t_s, &contacts),
             }
         }
     }
@@ -366,6 +394,17 @@ impl Observer for Outputs {
         }
     }
 
+    fn wants_contacts(&self) -> bool {
+        self.contacts.is_some()
+    }
+
+    fn contacts(&mut self, t_s: f64, contacts: &[ContactSample]) {
+        match &mut self.held {
+            Some(held) => held.push(Told::Contacts(t_s, contacts.to_vec())),
+            None => self.write_contacts(t_s, contacts),
+        }
+    }
+
     fn wants_errors(&self) -> bool {
         self.held.is_some()
     }
@@ -381,6 +420,18 @@ impl Observer for Outputs {
         }
         if self.fault.is_some() { Flow::Stop } else { Flow::Continue }
     }
+}
+
+/// Opens a table, with its first line.
+fn table(path: &Path, begin: impl Fn(&mut dyn Sink) -> io::Result<()>) -> Result<AtomicFile, OutputError> {
+    let file = AtomicFile::create_mending(path, |open| {
+        let mut empty = Cursor::new(Vec::new());
+        begin(&mut empty)?;
+        mended(open, empty.position(), cut_to_line)
+    });
+    let mut file = file.map_err(|source| fault(path, source))?;
+    begin(&mut file).map_err(|source| fault(path, source))?;
+    Ok(file)
 }
 
 fn fault(path: &Path, source: io::Error) -> OutputError {

@@ -4,7 +4,7 @@ use super::error::SweepError;
 use super::measure::Measured;
 use super::plan::Sweep;
 use super::scene::{IsStopped, SweepScene};
-use polhode::{BodySample, Energy, Event, Flow, JointSample, Observer, RunReport, Simulation};
+use polhode::{BodySample, ContactSample, Energy, Event, Flow, JointSample, Observer, RunReport, Simulation};
 use polhode_scene::names;
 use std::collections::BTreeMap;
 use std::num::NonZeroUsize;
@@ -155,6 +155,14 @@ impl Observer for Gather<'_> {
 
     fn joints(&mut self, _t_s: f64, joints: &[JointSample]) {
         self.measured.iter_mut().for_each(|own| own.joints(joints));
+    }
+
+    fn wants_contacts(&self) -> bool {
+        self.measured.iter().any(Measured::is_of_contacts)
+    }
+
+    fn contacts(&mut self, _t_s: f64, contacts: &[ContactSample]) {
+        self.measured.iter_mut().for_each(|own| own.contacts(contacts));
     }
 
     fn wants_energies(&self) -> bool {

@@ -15,7 +15,7 @@
 
 use super::axes;
 use super::ink::Ink;
-use super::time_chart::{AxisKind, Band, Course, Line, Panel, Stop, TimeChart};
+use super::time_chart::{AxisKind, Band, Course, Line, OVER_TIME, Panel, Stop, TimeChart};
 use super::trace::Trace;
 use polhode::spatial::DVec3;
 use polhode::{BodyError, BodySample, Scene};
@@ -163,7 +163,8 @@ impl ComparePlots {
         let stop = ended.map(|reason| Stop { t_s: reached, reason: reason.to_owned() });
         let panels = self.asked.iter().map(|&plot| self.panel(plot)).collect();
         let (title, subtitle) = (format!("{a} compared with {b}"), "differences over time".to_owned());
-        TimeChart { title, subtitle, events: Vec::new(), panels, stop }.svg()
+        let along = OVER_TIME.to_owned();
+        TimeChart { title, subtitle, along, events: Vec::new(), panels, stop }.svg()
     }
 
     fn panel(&self, plot: ComparePlot) -> Panel {

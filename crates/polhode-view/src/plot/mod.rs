@@ -14,12 +14,14 @@
 //! | [`trace`], `event_times` | quantities and events over time, in bounded memory |
 //! | [`time_chart`] | panels that share an axis of time |
 //! | [`run_plot`], [`run_plots`], `joint_traces` | what is plotted of a run; its observer; curves of its joints |
+//! | [`curves`] | single quantities over time or against each other |
 //! | [`compare_plots`] | two trajectories |
 //! | [`cost_chart`], [`cost_panels`], [`dot_chart`] | error against cost of a scene; of a few side by side; of many |
 
 pub mod compare_plots;
 pub mod cost_chart;
 pub mod cost_panels;
+pub mod curves;
 pub mod dot_chart;
 pub mod ink;
 pub mod label_rows;
@@ -42,6 +44,7 @@ mod text_width;
 pub use compare_plots::{ComparePlot, ComparePlots};
 pub use cost_chart::CostChart;
 pub use cost_panels::CostPanels;
+pub use curves::{CurvePanel, Curves};
 pub use dot_chart::DotChart;
 pub use ink::Ink;
 pub use label_rows::label_rows;

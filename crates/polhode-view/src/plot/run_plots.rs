@@ -8,7 +8,7 @@ use super::event_times::EventTimes;
 use super::ink::Ink;
 use super::joint_traces::JointTraces;
 use super::run_plot::RunPlot;
-use super::time_chart::{AxisKind, Course, Line, Panel, Stop, TimeChart};
+use super::time_chart::{AxisKind, Course, Line, OVER_TIME, Panel, Stop, TimeChart};
 use super::trace::Trace;
 use crate::penetration::{Depths, Penetration};
 use polhode::{BodySample, Event, Frame, JointSample, MotionKind, Observer, Scene};
@@ -94,10 +94,15 @@ impl RunPlots {
 
     /// The figure as SVG; `subtitle` says by which methods, `stopped` why a run ended before its time.
     pub fn svg(&self, subtitle: &str, stopped: Option<&str>) -> String {
+        self.svg_with(Vec::new(), subtitle, stopped)
+    }
+
+    /// The same with further panels below.
+    pub fn svg_with(&self, further: Vec<Panel>, subtitle: &str, stopped: Option<&str>) -> String {
         let stop = stopped.map(|reason| Stop { t_s: self.reached_s.unwrap_or_default(), reason: reason.to_owned() });
-        let panels = self.asked.iter().map(|&plot| self.panel(plot)).collect();
-        let (title, subtitle) = (self.title.clone(), subtitle.to_owned());
-        TimeChart { title, subtitle, events: self.events.rows(), panels, stop }.svg()
+        let panels = self.asked.iter().map(|&plot| self.panel(plot)).chain(further).collect();
+        let (title, subtitle, along) = (self.title.clone(), subtitle.to_owned(), OVER_TIME.to_owned());
+        TimeChart { title, subtitle, along, events: self.events.rows(), panels, stop }.svg()
     }
 
     fn panel(&self, plot: RunPlot) -> Panel {

@@ -41,6 +41,9 @@ const BANDS: f64 = 0.3;
 /// What is beyond a stop, of the time that was reached.
 const BEYOND_STOP: f64 = 0.04;
 
+/// What is along the axis of a run.
+pub const OVER_TIME: &str = "time, s";
+
 /// A line of a panel.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Line {
@@ -138,6 +141,8 @@ pub struct TimeChart {
     pub title: String,
     /// What there is to know besides; may be empty.
     pub subtitle: String,
+    /// What is along the axis below, with its unit.
+    pub along: String,
     /// Events, one row a kind.
     pub events: Vec<EventRow>,
     /// The panels, from above.
@@ -184,7 +189,7 @@ impl TimeChart {
         for (panel, &rows) in self.panels.iter().zip(&tops) {
             draw_lines(&mut svg, panel, &frame, rows);
         }
-        draw_time(&mut svg, &frame, foot);
+        draw_time(&mut svg, &frame, foot, &self.along);
         svg.finish()
     }
 
@@ -345,12 +350,12 @@ fn course(line: &Line, place: impl Fn([f64; 2]) -> Spot) -> Vec<Spot> {
     spots
 }
 
-fn draw_time(svg: &mut Svg, frame: &Frame, foot: f64) {
+fn draw_time(svg: &mut Svg, frame: &Frame, foot: f64, along: &str) {
     for (part, mark) in frame.time.marks(MARKS) {
         let x = frame.left + part * (frame.right - frame.left);
         svg.line(&[[x, foot], [x, foot + 4.0]], Stroke::new(Ink::Faint, 1.0));
         axes::mark(svg, [x, foot + 14.0], &mark, Type::new(LABEL, Ink::Faint).anchor(Anchor::Middle));
     }
     let middle = 0.5 * (frame.left + frame.right);
-    svg.text([middle, foot + 32.0], "time, s", Type::new(12.0, Ink::Text).anchor(Anchor::Middle));
+    svg.text([middle, foot + 32.0], along, Type::new(12.0, Ink::Text).anchor(Anchor::Middle));
 }

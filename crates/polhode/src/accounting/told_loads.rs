@@ -70,10 +70,8 @@ impl ToldLoads {
     pub(crate) fn append(&mut self, later: Self) {
         for (views, later) in [(&mut self.joints, later.joints), (&mut self.struck, later.struck)] {
             for (joint, view) in later {
-                let own =
-                    views.entry(joint).or_insert(JointView { force_n: DVec3::ZERO, moment_n_m: DVec3::ZERO, ..view });
-                own.force_n += view.force_n;
-                own.moment_n_m += view.moment_n_m;
+                let own = views.entry(joint).or_insert_with(|| view.times(0.0));
+                own.add(&view);
                 own.point_m = view.point_m;
             }
         }
@@ -81,15 +79,17 @@ impl ToldLoads {
 
     /// The mean loads of a step of `h` (s), N and N m: without what impacts gave, and with it.
     pub(crate) fn means(&self, h: f64) -> [BTreeMap<usize, JointView>; 2] {
-        let mean = |view: &JointView| JointView { force_n: view.force_n / h, moment_n_m: view.moment_n_m / h, ..*view };
+        let mean = |view: &JointView| JointView {
+            force_n: view.force_n / h,
+            moment_n_m: view.moment_n_m / h,
+            ..view.times(h.recip())
+        };
         let sustained: BTreeMap<usize, JointView> =
             self.joints.iter().map(|(&joint, view)| (joint, mean(view))).collect();
         let mut all = sustained.clone();
         for (&joint, view) in &self.struck {
             let view = mean(view);
-            let own = all.entry(joint).or_insert(JointView { force_n: DVec3::ZERO, moment_n_m: DVec3::ZERO, ..view });
-            own.force_n += view.force_n;
-            own.moment_n_m += view.moment_n_m;
+            all.entry(joint).or_insert_with(|| view.times(0.0)).add(&view);
         }
         [sustained, all]
     }

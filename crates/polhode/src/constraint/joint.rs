@@ -60,6 +60,10 @@ pub(crate) struct ModelJoint {
     stops: Vec<Stop>,
     /// As one of a tree in coordinates of its own.
     of_tree: Option<TreeJoint>,
+    /// Whether it is a line between two points: a rod or a rope.
+    is_along_line: bool,
+    /// Its axis and one at right angles to it, in the axes of its second end, unit vectors.
+    axes_of_b: [DVec3; 2],
     /// Length of its rows of rotation, m.
     length: f64,
     /// Its track, if it is one.
@@ -90,6 +94,7 @@ impl ModelJoint {
         };
         let attitudes = (attitude(a), attitude(b));
         let guide = on_track::guide(joint, tracks, attitudes.1).map(Arc::new);
+        let axes_of_b = axes_at_start(joint.kind()).map(|axis| attitudes.1.inverse_rotate(axis));
         let kept = match joint.kind() {
             JointKind::Ball => Kept::point(),
             JointKind::Hinge { axis } => hinge::kept(axis.get(), attitudes),
@@ -108,8 +113,23 @@ impl ModelJoint {
         let stops = coordinates.iter().flat_map(Stop::of).chain(of_track).collect();
         let of_tree = of_tree(joint, [a, b]);
         let (a, b) = (end(a, joint.anchor()), end(b, joint.other_anchor()));
+        let is_along_line = matches!(joint.kind(), JointKind::Rod { .. } | JointKind::Rope { .. });
         let (hold, lets_go_at_ends) = (on_track::hold(joint.kind()), on_track::lets_go_at_ends(joint.kind()));
-        Self { number, a, b, kept, coordinates, stops, of_tree, length, guide, hold, lets_go_at_ends }
+        Self {
+            number,
+            a,
+            b,
+            kept,
+            coordinates,
+            stops,
+            of_tree,
+            is_along_line,
+            axes_of_b,
+            length,
+            guide,
+            hold,
+            lets_go_at_ends,
+        }
     }
 
     /// The same joint in coordinates of its own; none where its kind has none, and of a kinematic body.
@@ -214,6 +234,22 @@ impl ModelJoint {
             (Measured::Along(guide), _) => guide.along(&a, &b, 0.0).direction,
             (_, axis) => axis.map_or(DVec3::ZERO, |axis| b.rotation.rotate(axis)),
         }
+    }
+
+    /// Its own axes (unit vectors, world): its axis, and two at right angles to it, fixed in its second end. Of a rod, a
+    /// rope and a track the first is their line.
+    pub(crate) fn axes(&self, motion: impl Fn(usize) -> (Pose, Velocity)) -> [DVec3; 3] {
+        let [a, b] = [&self.a, &self.b].map(|end| end.at(&motion));
+        let line = match self.guide() {
+            Some(guide) => Some(guide.along(&a, &b, 0.0).direction),
+            None if self.is_along_line => (a.point - b.point).try_normalize(),
+            None => None,
+        };
+        let [first, second] = match line {
+            Some(line) => [line, line.any_orthonormal_vector()],
+            None => self.axes_of_b.map(|axis| b.rotation.rotate(axis)),
+        };
+        [first, second, first.cross(second)]
     }
 
     /// Length of its rows of rotation, m.
@@ -331,6 +367,17 @@ impl ModelJoint {
         let [a, b] = [&self.a, &self.b].map(|end| end.at(&motion));
         self.kept.rows_at(a, b, self.length)
     }
+}
+
+/// The axis of a joint and one at right angles to it, at the start, world: that along which an angle is zero. Of a
+/// joint without an axis they are those of the world.
+fn axes_at_start(kind: JointKind) -> [DVec3; 2] {
+    let own = match kind {
+        JointKind::Planar { normal } => Some(normal),
+        JointKind::Universal { axes: [_, second] } => Some(second),
+        kind => kind.axis(),
+    };
+    own.map_or([DVec3::X, DVec3::Y], |axis| [axis.get(), axis.get().any_orthonormal_vector()])
 }
 
 /// A joint between bodies that are held so, in coordinates of its own.

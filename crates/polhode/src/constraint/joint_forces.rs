@@ -107,6 +107,12 @@ impl JointForce {
         })
     }
 
+    /// Its effort, in the unit of its coordinate; zero where that has no direction.
+    pub(crate) fn effort(&self, motion: impl Fn(usize) -> (Pose, Velocity)) -> f64 {
+        let effort = |at: CoordinateAt| self.source.effort(at.value / self.unit, at.own_rate() / self.unit);
+        self.coordinate_at(motion).map_or(0.0, effort)
+    }
+
     fn at(&self, bodies: &[RigidBody], states: &[BodyState]) -> Option<CoordinateAt> {
         let motion = |body: usize| -> (Pose, Velocity) {
             let slot = self.ends.iter().flatten().find(|(own, _)| *own == body).map(|(_, slot)| *slot);

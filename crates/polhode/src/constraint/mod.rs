@@ -35,6 +35,7 @@
 //! | `breaking`, `released`, `added` | joints that break, let go, or are added by a program |
 //! | `joint_error` | how far joints are from what they keep |
 //! | `at_start`, `tie_checks` | whether the velocities of a scene at the start are what joints and ties leave free |
+//! | `start_velocities` | velocities at the start of mechanisms that are driven |
 //! | `locator` | the time of an event within a step |
 
 mod at_start;
@@ -58,6 +59,7 @@ pub(crate) mod row;
 mod screw;
 mod slider;
 pub(crate) mod softness;
+mod start_velocities;
 pub(crate) mod stop;
 mod thread;
 pub(crate) mod tie;

@@ -1,5 +1,6 @@
 //! Rows of bilateral constraints, and the bodies that they are rows of.
 
+use polhode_response::{ContactProblem, ResponseError};
 use polhode_spatial::DVec3;
 
 /// A body that a constraint holds.
@@ -118,4 +119,32 @@ pub(crate) struct RowsAt {
     /// The kinematic ones.
     pub(crate) drivers: Vec<Member>,
     pub(crate) rows: Vec<BilateralRow>,
+}
+
+/// Adds rows in linear and angular velocities in world axes to a problem, whose place of a body is given: a body with
+/// two parts in a row has their sum.
+///
+/// # Errors
+/// When a number is not finite.
+pub(crate) fn push_in_space(
+    problem: &mut ContactProblem,
+    place: impl Fn(usize) -> Option<usize>,
+    (members, rows): (&[Member], &[BilateralRow]),
+) -> Result<(), ResponseError> {
+    for row in rows {
+        let mut entries: Vec<(usize, [f64; 6])> = Vec::new();
+        for member in members {
+            let Some(body) = place(member.body) else { continue };
+            let (along, about) = row.entries(member);
+            let own = [along.x, along.y, along.z, about.x, about.y, about.z];
+            match entries.iter_mut().find(|(known, _)| *known == body) {
+                Some((_, sum)) => sum.iter_mut().zip(own).for_each(|(sum, own)| *sum += own),
+                None => entries.push((body, own)),
+            }
+        }
+        entries.sort_by_key(|(body, _)| *body);
+        let entries: Vec<(usize, &[f64])> = entries.iter().map(|(body, own)| (*body, &own[..])).collect();
+        problem.push_held_row(&entries)?;
+    }
+    Ok(())
 }

@@ -15,7 +15,7 @@ use super::coordinate::{CoordinateAt, Measured};
 use super::end::Order;
 use super::joint_coordinate::JointCoordinate;
 use super::track::Guide;
-use crate::scene::Limits;
+use crate::scene::{Coordinate, Limits};
 use polhode_contact::{ContactGeometry, ContactKinematics};
 use std::sync::Arc;
 
@@ -72,6 +72,16 @@ impl Stop {
     /// Whether it is the side of a track that pushes.
     pub(crate) fn is_side_of_track(&self) -> bool {
         matches!(self.measured, Measured::Height(_))
+    }
+
+    /// The coordinate that it limits; none of the side of a track, which is what the track keeps.
+    pub(crate) fn coordinate(&self) -> Option<Coordinate> {
+        match self.measured {
+            Measured::Angle { .. } => Some(Coordinate::Angle),
+            Measured::Displacement { .. } | Measured::Along(_) => Some(Coordinate::Displacement),
+            Measured::Distance => Some(Coordinate::Distance),
+            Measured::Height(_) => None,
+        }
     }
 
     /// The ends of a track, at these arc lengths (m), with this coefficient of restitution.

@@ -114,11 +114,16 @@ impl Tied {
 impl Tie {
     /// The joints whose coordinates it takes hold of.
     pub(crate) fn joints(&self) -> impl Iterator<Item = &ModelJoint> {
+        self.coordinates().map(|tied| &tied.joint)
+    }
+
+    /// The coordinates that it takes hold of.
+    pub(crate) fn coordinates(&self) -> impl Iterator<Item = &Tied> {
         let second = match &self.to {
-            HeldTo::Coordinate { second, .. } => Some(&second.joint),
+            HeldTo::Coordinate { second, .. } => Some(&**second),
             HeldTo::Carriage { .. } => None,
         };
-        std::iter::once(&self.first.joint).chain(second)
+        std::iter::once(&self.first).chain(second)
     }
 
     /// Its number: gears in the order of the scene, then prescribed motions.

@@ -1,6 +1,7 @@
 //! Checks of the gears of a scene and of the prescribed motions of its joints: that their joints have such coordinates,
 //! and that the velocities at the start agree with them.
 
+use crate::identity::joint_id::JointId;
 use crate::scene::{Coordinate, CoordinateMotion, Gear, GearEnd, Scene, SceneError};
 use polhode_spatial::Motion;
 use polhode_spatial::rounding;
@@ -15,6 +16,12 @@ impl Scene {
     /// Gears between joints.
     pub fn gears(&self) -> &[Gear] {
         &self.gears
+    }
+
+    /// The coordinates of joints that follow a prescribed motion.
+    pub fn driven_coordinates(&self) -> impl Iterator<Item = (JointId, Coordinate)> + '_ {
+        let own = self.coordinate_motions.iter();
+        own.map(|(end, _)| (end.joint, end.coordinate.unwrap_or(Coordinate::Angle)))
     }
 
     /// Checks gears and prescribed motions.

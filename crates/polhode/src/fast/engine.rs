@@ -23,6 +23,7 @@ use crate::model::{Model, prescribed, reported, tolerances};
 use crate::report::acceleration::Acceleration;
 use crate::report::event::{Event, EventKind};
 use crate::report::frame::{ContactView, IslandView, JointView, MotionKind};
+use crate::report::joint_efforts::EffortsAlong;
 use crate::report::momentum_ledger::{Momentum, MomentumSum};
 use crate::report::observer::Observer;
 use crate::snapshot::numbers::{Contact, read_states, write_states};
@@ -344,6 +345,8 @@ impl Tier for FastEngine {
                 point_m,
                 force_n: held.force * sign,
                 moment_n_m: moment * sign,
+                // Only limits act along coordinates here, and what they give is not kept.
+                along: if own.stops() > 0 { EffortsAlong::UNKNOWN_LIMITS } else { EffortsAlong::default() },
             })
         };
         self.course.held.iter().filter_map(view).collect()

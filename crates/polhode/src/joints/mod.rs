@@ -6,6 +6,7 @@
 //! |---|---|
 //! | `held`, `bilateral` | whom bilateral constraints hold, and their rows |
 //! | `motors`, `soft_rows`, `joint_power` | motors and springs along coordinates, as rows, and what they give |
+//! | `efforts` | what acts along coordinates, by its cause |
 //! | `turns` | revolutions of angles |
 //! | `ties` | gears and prescribed motions |
 //! | `joint_contacts`, `joint_friction` | stops and dry friction: contacts at joints |
@@ -15,6 +16,7 @@
 pub(crate) mod added;
 pub(crate) mod bilateral;
 pub(crate) mod breaking;
+pub(crate) mod efforts;
 pub(crate) mod held;
 pub(crate) mod joint_contacts;
 pub(crate) mod joint_error;

@@ -2,12 +2,12 @@
 //! bodies.
 
 use crate::constraint::ConstraintId;
-use crate::constraint::joint::ModelJoint;
 use crate::constraint::row::{Action, BilateralRow, RowKind};
 use crate::constraint::tie::{HeldTo, Tie, Tied};
 use crate::joints::bilateral::{Bilateral, Reaction};
 use crate::model::Joints;
-use crate::scene::{Gear, GearEnd, Scene};
+use crate::report::joint_efforts::Cause;
+use crate::scene::{Coordinate, Gear, GearEnd, Scene};
 use polhode_spatial::{DVec3, Pose, Velocity};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -16,6 +16,8 @@ use std::collections::{BTreeMap, BTreeSet};
 pub(crate) struct LoadOfTie {
     /// The number of the joint.
     pub(crate) joint: usize,
+    /// Along which of its coordinates it acts, and why.
+    pub(crate) along: (Coordinate, Cause),
     /// Where the force acts, m.
     pub(crate) point: DVec3,
     /// N.
@@ -96,12 +98,20 @@ impl Joints {
             return Vec::new();
         };
         let multiplier = of.multiplier(reaction);
-        let load = |(joint, action): (&ModelJoint, &Action)| match action.times(multiplier) {
-            Action::Force { direction, point } => {
-                LoadOfTie { joint: joint.number(), point, force: direction, moment: DVec3::ZERO }
-            }
-            Action::Moment(moment) => LoadOfTie { joint: joint.number(), point: of.point, force: DVec3::ZERO, moment },
+        let cause = match tie.to {
+            HeldTo::Carriage { .. } => Cause::PrescribedMotion,
+            HeldTo::Coordinate { .. } => Cause::Gear,
         };
-        tie.joints().zip([first, second]).map(load).collect()
+        let load = |(tied, action): (&Tied, &Action)| {
+            let (joint, coordinate) = (tied.joint.number(), tied.joint.coordinates().get(tied.place)?.coordinate);
+            let along = (coordinate, cause);
+            Some(match action.times(multiplier) {
+                Action::Force { direction, point } => {
+                    LoadOfTie { joint, along, point, force: direction, moment: DVec3::ZERO }
+                }
+                Action::Moment(moment) => LoadOfTie { joint, along, point: of.point, force: DVec3::ZERO, moment },
+            })
+        };
+        tie.coordinates().zip([first, second]).filter_map(load).collect()
     }
 }

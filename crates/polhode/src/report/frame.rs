@@ -4,6 +4,7 @@ use crate::identity::body_id::BodyId;
 use crate::identity::joint_id::JointId;
 use crate::report::body_sample::BodySample;
 use crate::report::energy::Energy;
+use crate::report::joint_efforts::EffortsAlong;
 use crate::report::ledger::Ledger;
 use crate::report::run_report::Certificate;
 use polhode_contact::ContactFeature;
@@ -78,6 +79,25 @@ pub struct JointView {
     pub force_n: DVec3,
     /// Moment about the anchor, world, N m.
     pub moment_n_m: DVec3,
+    /// What of it acts along the coordinates of the joint.
+    pub(crate) along: EffortsAlong,
+}
+
+impl JointView {
+    /// The same with other loads, so many times as large.
+    pub(crate) fn times(&self, factor: f64) -> Self {
+        let none = Self { force_n: DVec3::ZERO, moment_n_m: DVec3::ZERO, along: EffortsAlong::default(), ..*self };
+        let mut own = Self { force_n: self.force_n * factor, moment_n_m: self.moment_n_m * factor, ..none };
+        own.along.add_times(&self.along, factor);
+        own
+    }
+
+    /// Adds the loads of another one.
+    pub(crate) fn add(&mut self, other: &Self) {
+        self.force_n += other.force_n;
+        self.moment_n_m += other.moment_n_m;
+        self.along.add_times(&other.along, 1.0);
+    }
 }
 
 /// An island: bodies that move together or rest together, connected by active contacts or by forces that couple them.

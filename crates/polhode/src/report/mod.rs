@@ -11,15 +11,18 @@
 //! | [`observer`] | [`Observer`](crate::Observer), [`Recorder`](crate::Recorder): who receives samples and events |
 //! | [`frame`] | [`Frame`](crate::Frame): poses, contacts, forces and islands at one time |
 //! | `body_sample`, `acceleration` | a body at one time |
-//! | `joint_sample` | a joint at one time |
+//! | `contact_sample` | a contact at one time, and what of its forces is not unique |
+//! | `joint_sample`, `joint_efforts` | a joint at one time; what acts along its coordinates, by cause |
 //! | `springs` | [`SpringReport`](crate::SpringReport): the springs of a run by tier `penalty` |
 
 pub(crate) mod acceleration;
 pub(crate) mod body_sample;
 pub(crate) mod broken_promise;
+pub(crate) mod contact_sample;
 pub(crate) mod energy;
 pub mod event;
 pub mod frame;
+pub(crate) mod joint_efforts;
 pub(crate) mod joint_sample;
 pub mod ledger;
 pub mod momentum_ledger;

@@ -1,6 +1,7 @@
 //! Observers receive samples and events of a run.
 
 pub use crate::report::body_sample::BodySample;
+use crate::report::contact_sample::ContactSample;
 use crate::report::energy::Energy;
 use crate::report::event::Event;
 use crate::report::frame::Frame;
@@ -53,6 +54,18 @@ pub trait Observer {
     /// [`Observer::wants_joints`].
     fn joints(&mut self, t_s: f64, joints: &[JointSample]) {
         let _ = (t_s, joints);
+    }
+
+    /// Whether [`Observer::contacts`] is called. It costs a solve for the contact forces, and a factorisation of all
+    /// their rows.
+    fn wants_contacts(&self) -> bool {
+        false
+    }
+
+    /// The contacts that touch at the time of a sample, with their forces and what of them is not unique. It is called
+    /// after that sample, if [`Observer::wants_contacts`].
+    fn contacts(&mut self, t_s: f64, contacts: &[ContactSample]) {
+        let _ = (t_s, contacts);
     }
 
     /// Whether [`Observer::energy`] is called.

@@ -15,6 +15,7 @@ use crate::plan::decisions::{Findings, Plan};
 use crate::plan::free_method;
 use crate::plan::planar::{self, PlanarFinding};
 use crate::report::acceleration::Acceleration;
+use crate::report::contact_sample::ContactSample;
 use crate::report::frame::{ContactView, Frame, IslandView, JointView, MotionKind, PivotView};
 use crate::report::joint_sample::{CoordinateSample, JointSample};
 use crate::report::momentum_ledger::Momentum;
@@ -24,6 +25,7 @@ use crate::run::stability::{self, Stability};
 use crate::run::{engines, singular_force, start_overlap};
 use crate::scene::effects::Effects;
 use crate::scene::{Coordinate, Scene};
+use crate::solve::open_contacts::contact_samples;
 use crate::tier::choice::{self, Candidate, TierChoice};
 use crate::tier::core::Core;
 use crate::tier::executor::{Executor, OneThread};
@@ -417,7 +419,12 @@ impl Simulation {
         self.tier.joint_loads(&self.core, self.core.t, &self.tier.states(&self.core))
     }
 
-    /// The joints at the present, in the order of their handles: coordinates, loads and powers.
+    /// Contacts that touch at the present, with what of their forces is not unique.
+    pub fn contact_samples(&self) -> Vec<ContactSample> {
+        contact_samples(&self.core.model, &self.tier.states(&self.core), &self.contacts())
+    }
+
+    /// The joints at the present, in the order of their handles: coordinates, what acts along them, loads and powers.
     pub fn joints(&self) -> Vec<JointSample> {
         joint_samples(&*self.tier, &self.core, self.core.t, &self.tier.states(&self.core))
     }

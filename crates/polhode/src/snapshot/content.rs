@@ -508,6 +508,17 @@ pub(crate) struct Watch {
     pub(crate) impact: f64,
 }
 
+/// What a joint bore in a step.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub(crate) struct JointLoad {
+    /// Number of the joint.
+    pub(crate) joint: usize,
+    pub(crate) force_n: Vector,
+    pub(crate) moment_n_m: Vector,
+    /// What of it acts along its coordinates, by cause, N m and N.
+    pub(crate) efforts: [f64; 18],
+}
+
 /// The tier `stepped`.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Stepped {
@@ -521,8 +532,8 @@ pub(crate) struct Stepped {
     pub(crate) islands: Vec<Vec<usize>>,
     /// Friction of the contacts of `forces`, N.
     pub(crate) friction: Vec<[f64; 3]>,
-    /// What the joints bore in the last step, N and N m, by their numbers; none before the first one.
-    pub(crate) loads: Option<Vec<(usize, Vector, Vector)>>,
+    /// What the joints bore in the last step; none before the first one.
+    pub(crate) loads: Option<Vec<JointLoad>>,
     /// Whether each body rests and is left out of the steps.
     pub(crate) resting: Vec<bool>,
     pub(crate) grid: u64,

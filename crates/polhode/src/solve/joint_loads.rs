@@ -6,9 +6,10 @@ use crate::identity::contact_id::ContactId;
 use crate::identity::joint_id::JointId;
 use crate::joints::bilateral::{Bilateral, Reaction};
 use crate::joints::ties::LoadOfTie;
-use crate::joints::{breaking, joint_contacts};
+use crate::joints::{breaking, efforts, joint_contacts};
 use crate::model::Model;
 use crate::report::frame::JointView;
+use crate::report::joint_efforts::EffortsAlong;
 use crate::rows::assembly::Assembly;
 use polhode_dynamics::BodyState;
 use polhode_spatial::DVec3;
@@ -51,10 +52,14 @@ pub(crate) fn add_joint_loads<'a>(
             own.force_n += reaction.force;
             own.moment_n_m += reaction.moment;
         }
-        for LoadOfTie { joint, point, force, moment } in model.joints.joint_loads_of_tie(of, reaction) {
+        for LoadOfTie { joint, along: (coordinate, cause), point, force, moment } in
+            model.joints.joint_loads_of_tie(of, reaction)
+        {
             let own = views.entry(joint).or_insert_with(|| joint_view(joint, point, none));
             own.force_n += force;
             own.moment_n_m += moment + (point - own.point_m).cross(force);
+            let effort = efforts::along(model, states, (joint, coordinate), (point, force, moment));
+            own.along.add(coordinate, cause, effort);
         }
     }
     for ContactForce { id, point, force } in contacts {
@@ -64,12 +69,17 @@ pub(crate) fn add_joint_loads<'a>(
         let own = views.entry(joint).or_insert_with(|| joint_view(joint, anchor, none));
         own.force_n += force;
         own.moment_n_m += (point - own.point_m).cross(force);
+        if let Some((coordinate, cause)) = model.joints.cause_of(id) {
+            let effort = efforts::along(model, states, (joint, coordinate), (point, force, DVec3::ZERO));
+            own.along.add(coordinate, cause, effort);
+        }
     }
 }
 
 /// The view of a joint with this force (N) and moment (N m) at a point (m).
 pub(crate) fn joint_view(joint: usize, point_m: DVec3, (force_n, moment_n_m): (DVec3, DVec3)) -> JointView {
-    JointView { joint: JointId::new(joint), point_m, force_n, moment_n_m }
+    let along = if force_n.is_nan() { EffortsAlong::UNKNOWN } else { EffortsAlong::default() };
+    JointView { joint: JointId::new(joint), point_m, force_n, moment_n_m, along }
 }
 
 /// The joints among these that bear as much as they can.

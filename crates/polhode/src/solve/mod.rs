@@ -14,7 +14,7 @@
 //! | `contradiction` | whether gears and prescribed motions of joints contradict each other |
 //! | `joint_loads` | what joints bear, from the forces of all rows |
 //! | `joint_reactions` | reactions of joints alone, under loads that are given |
-//! | `open_loads` | bearings whose load statics leaves open |
+//! | `open_loads`, `open_contacts` | bearings and contacts whose loads statics leaves open |
 //! | `cone_violation` | how far forces are from Coulomb's law |
 
 pub(crate) mod accelerations;
@@ -27,6 +27,7 @@ pub(crate) mod held_at_rest;
 pub(crate) mod impact;
 pub(crate) mod joint_loads;
 pub(crate) mod joint_reactions;
+pub(crate) mod open_contacts;
 pub(crate) mod open_loads;
 pub(crate) mod overlap;
 pub(crate) mod projection;

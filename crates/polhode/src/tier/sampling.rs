@@ -4,6 +4,7 @@ use crate::error::SimulationError;
 use crate::model::reported;
 use crate::report::frame::Frame;
 use crate::report::observer::Observer;
+use crate::solve::open_contacts::contact_samples;
 use crate::tier::Tier;
 use crate::tier::core::Core;
 use crate::tier::joint_samples::joint_samples;
@@ -60,6 +61,10 @@ pub(crate) fn emit_sample(
     }
     if emitted && observer.wants_joints() {
         observer.joints(t, &joint_samples(tier, core, t, states));
+    }
+    if emitted && observer.wants_contacts() {
+        let contacts = tier.contacts(core, t, states);
+        observer.contacts(t, &contact_samples(&core.model, states, &contacts));
     }
     if emitted && observer.wants_frames() {
         observer.frame(&frame(tier, core, t, states));

@@ -20,6 +20,7 @@ impl SceneBuilder {
         scene.check_counts()?;
         scene.check_parts()?;
         scene.place_on_tracks()?;
+        scene.find_start_velocities();
         scene.check_joints()?;
         scene.check_ties()?;
         scene.check_joint_method()?;
