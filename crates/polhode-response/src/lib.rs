@@ -143,7 +143,7 @@ pub use problem::{ContactProblem, RowEntries};
 pub use report::{Method, SolverReport, SolverStatus};
 pub use settings::SolverSettings;
 pub use sliding::{SlidingRow, least_norm_sliding_forces, motion_depends_on_choice};
-pub use solve::{Answer, Ask, Choice, Memory, Question, RowProblem, solve};
+pub use solve::{Answer, Ask, Choice, Memory, Question, RowProblem, Rows, solve};
 
 pub use polhode_spatial as spatial;
 

@@ -75,52 +75,100 @@ pub fn least_norm_sliding_forces(
     b: &[f64],
     sliding: &[SlidingRow],
 ) -> Result<LeastNormForces, ResponseError> {
-    check_length("Delassus matrix", problem.len(), delassus.len())?;
-    delassus.check_finite()?;
-    check_finite("constant terms", b)?;
-    let (held, rows) = (b.len(), delassus.len());
-    check_length("rows held and sliding", rows, held + sliding.len())?;
-    check_rows(sliding, held, rows)?;
-    let scale: Vec<f64> = (0..held)
-        .map(|row| {
-            let diagonal = delassus.get(row, row);
-            if diagonal > 0.0 { 1.0 / diagonal.sqrt() } else { 0.0 }
-        })
-        .collect();
-    // Its transpose is factored: rows of the one are columns of the other.
-    let mut matrix = held_by_forces(delassus, held, sliding);
-    for (row, row_scale) in matrix.chunks_exact_mut(held.max(1)).zip(&scale) {
-        for (entry, column_scale) in row.iter_mut().zip(&scale) {
-            *entry *= row_scale * column_scale;
+    SlidingFactors::of(problem, delassus, sliding, b.len())?.forces(problem, b, sliding)
+}
+
+/// The factors of rows that are held while contacts slide, which serve all constant terms.
+#[derive(Debug, Clone)]
+pub(crate) struct SlidingFactors {
+    /// Rows that are held.
+    held: usize,
+    /// Their accelerations for unit forces along them, scaled.
+    matrix: Vec<f64>,
+    scale: Vec<f64>,
+    factor: PivotedQr,
+    /// The forces that hold nothing, where they have scales of their own.
+    idle: Option<PivotedQr>,
+    /// The ratio of the largest mass to the smallest one.
+    ratio: f64,
+}
+
+impl SlidingFactors {
+    /// Those of the first `held` rows of a problem.
+    ///
+    /// # Errors
+    /// When a row does not exist, or a number is not finite.
+    pub(crate) fn of(
+        problem: &ContactProblem,
+        delassus: &Delassus,
+        sliding: &[SlidingRow],
+        held: usize,
+    ) -> Result<Self, ResponseError> {
+        check_length("Delassus matrix", problem.len(), delassus.len())?;
+        delassus.check_finite()?;
+        let rows = delassus.len();
+        check_length("rows held and sliding", rows, held + sliding.len())?;
+        check_rows(sliding, held, rows)?;
+        let scale: Vec<f64> = (0..held)
+            .map(|row| {
+                let diagonal = delassus.get(row, row);
+                if diagonal > 0.0 { 1.0 / diagonal.sqrt() } else { 0.0 }
+            })
+            .collect();
+        // Its transpose is factored: rows of the one are columns of the other.
+        let mut matrix = held_by_forces(delassus, held, sliding);
+        for (row, row_scale) in matrix.chunks_exact_mut(held.max(1)).zip(&scale) {
+            for (entry, column_scale) in row.iter_mut().zip(&scale) {
+                *entry *= row_scale * column_scale;
+            }
         }
+        let factor = PivotedQr::factor(held, held, matrix.clone(), DEPENDENT);
+        let idle = idle_forces(&factor, &scale);
+        Ok(Self { held, matrix, scale, factor, idle, ratio: problem.mass_ratio() })
     }
-    let factor = PivotedQr::factor(held, held, matrix.clone(), DEPENDENT);
-    let wanted: Vec<f64> = b.iter().zip(&scale).map(|(b, scale)| -b * scale).collect();
-    let mut scaled = factor.solve_transpose(&wanted);
-    for _ in 0..REFINEMENTS {
-        let left = matrix.chunks_exact(held.max(1)).zip(&wanted).map(|(row, wanted)| wanted - dot(row, &scaled));
-        let correction = factor.solve_transpose(&left.collect::<Vec<_>>());
-        for (force, change) in scaled.iter_mut().zip(&correction) {
-            *force += change;
+
+    /// The least forces (N) of all rows of the problem against these constant terms, one for each row that is held.
+    ///
+    /// # Errors
+    /// When their number is another, or one is not finite.
+    pub(crate) fn forces(
+        &self,
+        problem: &ContactProblem,
+        b: &[f64],
+        sliding: &[SlidingRow],
+    ) -> Result<LeastNormForces, ResponseError> {
+        let Self { held, matrix, scale, factor, ratio, .. } = self;
+        check_length("constant terms", *held, b.len())?;
+        check_finite("constant terms", b)?;
+        let wanted: Vec<f64> = b.iter().zip(scale).map(|(b, scale)| -b * scale).collect();
+        let mut scaled = factor.solve_transpose(&wanted);
+        for _ in 0..REFINEMENTS {
+            let rows = matrix.chunks_exact((*held).max(1)).zip(&wanted);
+            let left = rows.map(|(row, wanted)| wanted - dot(row, &scaled));
+            let correction = factor.solve_transpose(&left.collect::<Vec<_>>());
+            for (force, change) in scaled.iter_mut().zip(&correction) {
+                *force += change;
+            }
         }
+        let mut forces: Vec<f64> = scaled.iter().zip(scale).map(|(force, scale)| force * scale).collect();
+        if let Some(idle) = &self.idle {
+            idle.remove_range(&mut forces);
+        }
+        #[cfg(feature = "census")]
+        {
+            let size = Size { bodies: problem.bodies(), rows: problem.len(), cones: sliding.len() };
+            let method = if *ratio > ALIKE_MASSES { "twice the precision" } else { "least norm" };
+            census::note_single(Chain::LeastNormSliding, size, method, SolverStatus::Solved, 0.0);
+        }
+        if *ratio > ALIKE_MASSES {
+            return Ok(refined(problem, b, sliding, (factor, scale), (&forces, rounds(*ratio))));
+        }
+        forces.resize(problem.len(), 0.0);
+        for slide in sliding {
+            forces[slide.tangent] -= slide.coefficient * forces[slide.normal];
+        }
+        Ok(LeastNormForces { forces, loads: None })
     }
-    let mut forces: Vec<f64> = scaled.iter().zip(&scale).map(|(force, scale)| force * scale).collect();
-    take_least(&factor, &scale, &mut forces);
-    let ratio = problem.mass_ratio();
-    #[cfg(feature = "census")]
-    {
-        let size = Size { bodies: problem.bodies(), rows, cones: sliding.len() };
-        let method = if ratio > ALIKE_MASSES { "twice the precision" } else { "least norm" };
-        census::note_single(Chain::LeastNormSliding, size, method, SolverStatus::Solved, 0.0);
-    }
-    if ratio > ALIKE_MASSES {
-        return Ok(refined(problem, b, sliding, (&factor, &scale), (&forces, rounds(ratio))));
-    }
-    forces.resize(rows, 0.0);
-    for slide in sliding {
-        forces[slide.tangent] -= slide.coefficient * forces[slide.normal];
-    }
-    Ok(LeastNormForces { forces, loads: None })
 }
 
 /// `forces` of the rows that are held, and friction, after so many steps of refinement in twice the working precision.
@@ -234,12 +282,12 @@ fn room(change: &[f64], forces: &[f64]) -> f64 {
     (most - least).max(0.0)
 }
 
-/// Subtracts from `forces` what holds nothing in them: their part in the null space of the matrix of which `factor`
-/// holds the transposed one, with its columns scaled.
-fn take_least(factor: &PivotedQr, scale: &[f64], forces: &mut [f64]) {
-    let (held, rank) = (forces.len(), factor.rank());
+/// The factors of what forces hold nothing: of the null space of the matrix of which `factor` holds the transposed one,
+/// with its columns scaled. None where there is nothing of it, or where rows are scaled alike.
+fn idle_forces(factor: &PivotedQr, scale: &[f64]) -> Option<PivotedQr> {
+    let (held, rank) = (scale.len(), factor.rank());
     if rank == held || scale.windows(2).all(|pair| pair[0] == pair[1]) {
-        return;
+        return None;
     }
     let mut undetermined = vec![0.0; held * (held - rank)];
     for (k, column) in undetermined.chunks_exact_mut(held).enumerate() {
@@ -249,8 +297,7 @@ fn take_least(factor: &PivotedQr, scale: &[f64], forces: &mut [f64]) {
             *entry *= scale;
         }
     }
-    let idle = PivotedQr::factor(held, held - rank, undetermined, DEPENDENT);
-    idle.remove_range(forces);
+    Some(PivotedQr::factor(held, held - rank, undetermined, DEPENDENT))
 }
 
 #[cfg(test)]

@@ -154,8 +154,8 @@ fn the_torque_of_a_crank_with_rough_bearings_is_that_of_inverse_dynamics() {
     agrees(&args, SliderCrank { rate: -17.0, bearings: [0.003, 0.001, 0.001, 0.25], masses: [0.6, 0.5, 2.5], ..own });
 }
 
-/// An arm of 1 m and 2 kg that a servo holds level where its torque is that of the weight; beside it a spring, a bolt on
-/// a limit, and a slack rope.
+/// An arm of 1 m and 2 kg that a servo holds level where its torque is that of the weight; beside it a bolt on
+/// a spring and a limit, and a box on a floor.
 const STILL: &str = r#"
 format = 1
 name = "still"

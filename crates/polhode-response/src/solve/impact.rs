@@ -97,7 +97,7 @@ pub fn strike(impact: &Impact<'_>, memory: &mut Memory) -> Result<Struck, Respon
     let outcome = match law {
         Strikes::Blocks(of_blocks) => return strike_blocks(impact, &of_blocks),
         Strikes::Rows { law, order, settings } => {
-            let Memory { active_set, delassus } = memory;
+            let Memory { active_set, delassus, .. } = memory;
             matrix::fill(delassus, contacts)?;
             let problem = ImpactProblem { contacts, delassus, u_before, restitution, settings };
             match order {

@@ -32,7 +32,7 @@ pub mod way;
 mod without_friction;
 
 pub use answer::{Answer, Choice};
-pub use problem::{Ask, Memory, Question, RowProblem};
+pub use problem::{Ask, Memory, Question, RowProblem, Rows};
 
 use crate::error::{ResponseError, check_finite, check_length};
 use crate::friction::Blocks;

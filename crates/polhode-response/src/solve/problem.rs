@@ -4,6 +4,7 @@ use crate::complementarity::{ComplementaritySolver, WarmStart};
 use crate::delassus::Delassus;
 use crate::friction::Blocks;
 use crate::problem::ContactProblem;
+use crate::sliding::SlidingFactors;
 use std::ops::Range;
 
 /// What is asked of rows, never how.
@@ -58,6 +59,18 @@ pub struct Question<'a> {
     pub start: Option<&'a WarmStart>,
     /// Rounding that the constant terms carry already, in their unit.
     pub noise_floor: f64,
+    /// Whether the rows and their laws are those of the last question to the same [`Memory`].
+    pub rows: Rows,
+}
+
+/// Whether rows are known already: what was made of them then serves other constant terms, and changes no answer.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Rows {
+    /// They are not.
+    #[default]
+    New,
+    /// They and their laws are those of the last question.
+    AsBefore,
 }
 
 /// Rows, and what is known of them.
@@ -83,4 +96,6 @@ impl<'a> RowProblem<'a> {
 pub struct Memory {
     pub(super) active_set: ComplementaritySolver,
     pub(super) delassus: Delassus,
+    /// Of rows at a stage where contacts slide.
+    pub(super) sliding: Option<SlidingFactors>,
 }

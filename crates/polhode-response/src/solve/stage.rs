@@ -7,7 +7,7 @@
 
 use super::answer::Answer;
 use super::held::report_of;
-use super::problem::{Memory, RowProblem};
+use super::problem::{Memory, RowProblem, Rows};
 use super::{matrix, way};
 use crate::delassus::Delassus;
 use crate::dense::kernels::dot;
@@ -16,7 +16,7 @@ use crate::friction::Blocks;
 use crate::law::Law;
 use crate::least_in_cones::least_forces_in_cones;
 use crate::least_norm_hold::{LeastNormForces, least_norm_forces};
-use crate::sliding::{SlidingRow, least_norm_sliding_forces};
+use crate::sliding::{SlidingFactors, SlidingRow};
 use crate::sparse::{BesideForest, HeldForest};
 
 /// The forces of rows that are held, the last ones of which slide as their blocks say. The constant terms are of the
@@ -34,12 +34,19 @@ pub(super) fn solve(problem: &RowProblem<'_>, blocks: &Blocks, memory: &mut Memo
     {
         return beside(problem, &forest);
     }
-    let delassus = &mut memory.delassus;
-    matrix::fill(delassus, rows)?;
+    let Memory { delassus, sliding: factors, .. } = memory;
+    let known = factors.take().filter(|_| problem.known.rows == Rows::AsBefore);
+    if known.is_none() {
+        matrix::fill(delassus, rows)?;
+    }
     let found = if sliding.is_empty() {
         Answer::from(least_norm_forces(rows, delassus, constants)?)
     } else {
-        let least = least_norm_sliding_forces(rows, delassus, constants, &sliding)?;
+        let known = match known {
+            Some(known) => known,
+            None => SlidingFactors::of(rows, delassus, &sliding, constants.len())?,
+        };
+        let least = factors.insert(known).forces(rows, constants, &sliding)?;
         within_cones((delassus, held, &sliding), blocks, least)?
     };
     let left: Vec<f64> = match &found.on_bodies {

@@ -16,7 +16,7 @@ use crate::sparse::{BodySettings, BodySolver, are_movable};
 #[cfg_attr(feature = "census", track_caller)]
 pub(super) fn active_set(problem: &RowProblem<'_>, memory: &mut Memory) -> Result<ContactSolution, ResponseError> {
     let RowProblem { rows, joints, known: Question { constants, start, noise_floor, .. } } = problem;
-    let Memory { active_set, delassus } = memory;
+    let Memory { active_set, delassus, .. } = memory;
     active_set.set_settings(SolverSettings { noise_floor: *noise_floor, ..SolverSettings::default() });
     let found = if let Some(forest) = way::trees(rows, joints.clone()) {
         active_set.solve_with_forest(rows, &forest, constants, *start)

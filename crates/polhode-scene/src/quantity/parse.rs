@@ -12,7 +12,11 @@ use thiserror::Error;
 
 /// Why a text is no quantity of a scene.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
-#[error("{text}: {why}; accepted: bodies.NAME.QUANTITY, joints.NAME.QUANTITY, contacts.NAME/OTHER.QUANTITY or QUANTITY:NAME, {list}", list = accepted())]
+#[error(
+    "{text}: {why}; accepted: bodies.NAME.QUANTITY, joints.NAME.QUANTITY, contacts.NAME/OTHER.QUANTITY or \
+     QUANTITY:NAME, {list}",
+    list = accepted()
+)]
 pub struct QuantityError {
     /// The text.
     pub text: String,

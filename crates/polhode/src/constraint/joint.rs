@@ -236,8 +236,8 @@ impl ModelJoint {
         }
     }
 
-    /// Its own axes (unit vectors, world): its axis, and two at right angles to it, fixed in its second end. Of a rod, a
-    /// rope and a track the first is their line.
+    /// Its own axes (unit vectors, world): its axis, and two at right angles to it, fixed in its second end. Of a rod,
+    /// a rope and a track the first is their line.
     pub(crate) fn axes(&self, motion: impl Fn(usize) -> (Pose, Velocity)) -> [DVec3; 3] {
         let [a, b] = [&self.a, &self.b].map(|end| end.at(&motion));
         let line = match self.guide() {

@@ -1,4 +1,4 @@
-//! The velocities with which a mechanism begins whose joints follow prescribed motions, where its bodies are given none.
+//! The velocities with which a mechanism begins whose joints follow prescribed motions, where its bodies have none.
 //!
 //! The rows `J v` of all joints, gears and prescribed motions of the mechanism have to have given rates at the start:
 //! zero of what joints keep, `s'(0)` of a coordinate that follows `s(t)`. Of all velocities that do so those of least

@@ -23,7 +23,7 @@ use crate::solve::cone_violation::{ConeViolation, RubbingForce};
 use polhode_dynamics::BodyState;
 use polhode_response::friction::ContactStatus;
 use polhode_response::solve::instant::{SLIDING_ROUNDING, STICKING_ACCELERATION};
-use polhode_response::{Answer, Ask, Blocks, Choice, Memory, Question, ResponseError, WarmStart};
+use polhode_response::{Answer, Ask, Blocks, Choice, Memory, Question, ResponseError, Rows, WarmStart};
 use polhode_spatial::DVec3;
 use std::collections::BTreeMap;
 
@@ -205,12 +205,14 @@ pub(crate) fn with_loads_of_bearings(
     (known, ask): (Question<'_>, Ask<'_>),
     memory: &mut Memory,
 ) -> Result<Answer, ResponseError> {
+    let mut known = known;
     for _ in 1..MOST_ROUNDS_OF_BEARINGS {
         let found = assembly.answer(Question { constants, ..known }, ask, memory)?;
         if !assembly.press_by_loads(&found.reactions, 1.0)? {
             return Ok(found);
         }
         assembly.press(constants, 1.0);
+        known.rows = Rows::AsBefore;
     }
     assembly.answer(Question { constants, ..known }, ask, memory)
 }

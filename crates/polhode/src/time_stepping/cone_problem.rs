@@ -50,7 +50,7 @@ impl ConeSolvers {
         h: f64,
     ) -> Result<StepProblem<'a>, ResponseError> {
         let KnownOfGroup { contacts, ref carried, noise_floor } = *known;
-        let problem = assembly.with(Question { constants, start: Some(carried), noise_floor, blocks: None });
+        let problem = assembly.with(Question { constants, start: Some(carried), noise_floor, ..Question::default() });
         let rows = StepRows { problem, contacts, group: assembly.bodies().first().copied() };
         let Self { memory, last } = self;
         memory.problem(rows, || last.start(assembly, contacts, h))
