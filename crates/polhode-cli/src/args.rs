@@ -166,7 +166,8 @@ pub(crate) struct RunOutputArgs {
     #[arg(long, value_name = "FILE")]
     pub(crate) events: Option<PathBuf>,
     /// Writes coordinates, loads and powers of the joints at every sample as CSV, and what acts along each coordinate
-    /// by its cause: drive, gear, spring, damper, dry friction, limit, and the reaction (`resume`: from the checkpoint on)
+    /// by its cause: drive, gear, spring, damper, dry friction, limit, and the reaction (`resume`: from the checkpoint
+    /// on)
     #[arg(long, value_name = "FILE")]
     pub(crate) joints: Option<PathBuf>,
     /// Writes points, normals and forces of the contacts at every sample as CSV, and which forces are not unique

@@ -220,8 +220,10 @@ fn causes_are_told_where_nothing_moves() {
         let contacts = place.read("contacts.csv");
         let rows: Vec<Vec<&str>> = contacts.lines().skip(1).map(|line| line.split(',').collect()).collect();
         assert_eq!(rows.len(), 12, "{contacts}");
-        for t in ["0.0", "0.1", "0.2"] {
-            let at: Vec<_> = rows.iter().filter(|row| row[0] == t).collect();
+        // In time steps contacts bear nothing before the first one.
+        let first = usize::from(tier == "stepped");
+        for t in &["0.0", "0.1", "0.2"][first..] {
+            let at: Vec<_> = rows.iter().filter(|row| row[0] == *t).collect();
             let sum: f64 = at.iter().map(|row| row[10].parse::<f64>().unwrap()).sum();
             assert!((sum - 4.0 * G).abs() < 1e-6, "{tier}: {contacts}");
             // Four corners of a box: statics does not say what each bears.
