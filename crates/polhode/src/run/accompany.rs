@@ -102,9 +102,11 @@ impl Simulation {
         let is_fixed = self.core.settings.names_fixed_steps();
         // The same tier with a smaller tolerance costs more than the run.
         let is_used = move |kind: &ReferenceKind| *kind != ReferenceKind::OtherMethod || !repeats || is_fixed;
-        let first = tier.facts().compared_first;
-        let others = ReferenceKind::ALL.into_iter().filter(move |kind| *kind != first);
-        std::iter::once(first).chain(others).filter(is_used)
+        // A disturbed run costs what the run does, which a full estimate can pay for beside others.
+        let second = (effort == ErrorEstimation::Full).then_some(ReferenceKind::Disturbed);
+        let before = [Some(tier.facts().compared_first), second];
+        let others = ReferenceKind::ALL.into_iter().filter(move |kind| !before.contains(&Some(*kind)));
+        before.into_iter().flatten().chain(others).filter(is_used)
     }
 
     /// When the run is compared next, s.
@@ -123,7 +125,7 @@ impl Simulation {
     /// Begins a reference of a kind there. A piece goes on from the errors that are known then.
     pub(super) fn begin_reference(&mut self, kind: ReferenceKind, from: &StartOfRun, part: Part) {
         let is_shared = |own: &&Reference<Self>| kind == ReferenceKind::Disturbed && own.begun_s == from.t_s;
-        let disturbs_itself = self.disturbs_itself();
+        let disturbs_itself = self.disturbs_itself(self.references.effort);
         let shared = self.references.by_steps().filter(is_shared).filter(|_| !disturbs_itself);
         // A disturbed run is compared with the one by other steps, and has its steps.
         let number = shared.map_or(self.references.course.of(kind).begun, |own| own.number);
@@ -253,7 +255,7 @@ impl Simulation {
     /// Ends a disturbed run whose partner, the one by other steps, has ended.
     fn end_without_partner(&mut self, running: &mut Vec<Reference<Self>>) {
         let has_partner = running.iter().any(|own| own.kind == ReferenceKind::OtherSteps && own.is_whole);
-        if has_partner || self.disturbs_itself() {
+        if has_partner || self.disturbs_itself(self.references.effort) {
             return;
         }
         let is_alone = |own: &Reference<Self>| own.kind == ReferenceKind::Disturbed && own.partner.is_none();
@@ -307,7 +309,8 @@ impl Simulation {
         for kind in self.kinds(self.references.effort) {
             let allowed = self.allowed();
             let interval_s = self.next_comparison() - t;
-            let (disturbs_itself, begins_with_method) = (self.disturbs_itself(), self.begins_with_method());
+            let (disturbs_itself, begins_with_method) =
+                (self.disturbs_itself(self.references.effort), self.begins_with_method());
             let of_beginning = self.beginning(kind);
             let references = &mut self.references;
             let known = references.course.of(kind);
@@ -319,6 +322,7 @@ impl Simulation {
                     let is_best = |own: &Reference<Self>| own.kind == ReferenceKind::OtherMethod && own.is_whole;
                     references.effort == ErrorEstimation::Quick && references.running.iter().any(is_best)
                 }
+                ReferenceKind::Disturbed if references.effort == ErrorEstimation::Full => false,
                 // How an error grows is of no use where none is known, and what it costs is known by other steps.
                 ReferenceKind::Disturbed => match references.by_steps() {
                     Some(steps) => steps.comparisons < COMPARISONS_TO_FORESEE,
@@ -332,6 +336,7 @@ impl Simulation {
             let runs = if is_disturbed && !disturbs_itself && references.by_steps().is_none() { 2.0 } else { 1.0 };
             // A disturbed run costs what the run or one by other steps does.
             let alike = match is_disturbed {
+                true if t == references.course.start_s => 0.0,
                 true if disturbs_itself => self.core.work as f64 / (t - references.course.start_s),
                 true => runs * references.course.of(ReferenceKind::OtherSteps).per_second,
                 false => 0.0,

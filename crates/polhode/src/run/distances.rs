@@ -49,7 +49,7 @@ impl Simulation {
         let Some(reference) = running.iter().find(|own| own.kind == ReferenceKind::Disturbed) else { return none };
         let others = samples_of(&reference.run);
         let partner = reference.partner.as_deref().or(self.references.by_steps().map(|own| &*own.run));
-        let distances = match partner.filter(|_| !self.disturbs_itself()) {
+        let distances = match partner.filter(|_| !self.disturbs_itself(self.references.effort)) {
             Some(partner) => distances(&samples_of(partner), &others),
             None => distances(samples, &others),
         };
