@@ -181,13 +181,15 @@ impl Simulation {
         for place in (0..running.len()).rev() {
             let kind = running[place].kind;
             let (before, from_s) = (running[place].work(), running[place].run.core.t);
+            let others = if kind == first { 0.0 } else { of_running(&running) - running[place].work() as f64 };
             // What others have cost in vain ends none: it lets none begin.
-            let reached = running[place].bring_to(t, now.ahead);
+            let reached = running[place].bring_to(t, now.ahead - others);
             let way_s = running[place].run.core.t - from_s;
             if way_s > 0.0 {
                 self.references.course.of_mut(kind).per_second = (running[place].work() - before) as f64 / way_s;
             }
-            let of_rest = self.references.course.of(kind).per_second * (self.scene.duration_s() - t);
+            let rest_s = self.scene.duration_s() - t;
+            let of_rest: f64 = running.iter().map(|own| self.references.course.of(own.kind).per_second * rest_s).sum();
             let reference = &mut running[place];
             reference.comparisons += 1;
             // Longer fixed steps cost a known part of the run: they go on while they can.
@@ -195,8 +197,8 @@ impl Simulation {
             let is_foreseen =
                 may_cost_anything && reference.is_whole && reference.comparisons == COMPARISONS_TO_FORESEE;
             match reached {
-                // A whole one that cannot be paid for to the end leaves what is left to others.
-                Ok(true) if is_foreseen && of_rest > now.of_rest + now.at_once - reference.work() as f64 => {
+                // A whole one that cannot be paid for to the end beside the others leaves what is left to them.
+                Ok(true) if is_foreseen && of_rest > now.of_rest + now.at_once - of_running(&running) => {
                     self.end_reference(&mut running, place, Ending::TooCostly);
                 }
                 Ok(true) => {}
@@ -335,10 +337,11 @@ impl Simulation {
             let is_disturbed = kind == ReferenceKind::Disturbed;
             let runs = if is_disturbed && !disturbs_itself && references.by_steps().is_none() { 2.0 } else { 1.0 };
             // A disturbed run costs what the run or one by other steps does.
+            let own_rate = self.core.work as f64 / (t - references.course.start_s);
             let alike = match is_disturbed {
                 true if t == references.course.start_s => 0.0,
-                true if disturbs_itself => self.core.work as f64 / (t - references.course.start_s),
-                true => runs * references.course.of(ReferenceKind::OtherSteps).per_second,
+                true if disturbs_itself => own_rate,
+                true => runs * own_rate / references.effort.step_factor(known.begun),
                 false => 0.0,
             };
             let per_second = known.per_second.max(alike);

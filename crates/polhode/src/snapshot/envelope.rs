@@ -17,7 +17,7 @@ use super::hash::Fnv1a;
 const MAGIC: [u8; 8] = *b"polhod\x1a\x00";
 
 /// Version of the format. Every change of the types in [`super::content`] raises it.
-pub(super) const VERSION: u32 = 19;
+pub(super) const VERSION: u32 = 20;
 
 /// Length of the header, bytes.
 const HEADER: usize = 28;
