@@ -178,10 +178,13 @@ impl Simulation {
         let t = self.core.t;
         let mut running = std::mem::take(&mut self.references.running);
         let (now, first) = (self.allowed(), self.core.settings.tier.facts().compared_first);
+        let is_full = self.references.effort == ErrorEstimation::Full;
+        // A disturbed run costs what the run does, which a full estimate can pay for.
+        let is_kept = |kind| kind == first || (is_full && kind == ReferenceKind::Disturbed);
         for place in (0..running.len()).rev() {
             let kind = running[place].kind;
             let (before, from_s) = (running[place].work(), running[place].run.core.t);
-            let others = if kind == first { 0.0 } else { of_running(&running) - running[place].work() as f64 };
+            let others = if is_kept(kind) { 0.0 } else { of_running(&running) - running[place].work() as f64 };
             // What others have cost in vain ends none: it lets none begin.
             let reached = running[place].bring_to(t, now.ahead - others);
             let way_s = running[place].run.core.t - from_s;
@@ -208,7 +211,7 @@ impl Simulation {
         }
         while of_running(&running) > now.ahead {
             let rate = |own: &Reference<Self>| own.work() as f64 / (t - own.begun_s);
-            let others = running.iter().enumerate().filter(|(_, own)| own.kind != first);
+            let others = running.iter().enumerate().filter(|(_, own)| !is_kept(own.kind));
             let Some((place, _)) = others.max_by(|a, b| rate(a.1).total_cmp(&rate(b.1))) else { break };
             self.end_reference(&mut running, place, Ending::TooCostly);
         }
