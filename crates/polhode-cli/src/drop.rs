@@ -8,10 +8,10 @@ use crate::scene::{self, SceneText};
 use crate::text::drop::page;
 use crate::verbosity::{self, Verbosity};
 use crate::{inputs, stdout};
-use polhode::mesh::MeshFormat;
+use polhode::mesh::{MeshFormat, SolidMesh};
 use polhode::spatial::DVec3;
 use polhode::{Body, BodySample};
-use polhode_scene::{AtomicFile, LoadedScene, load_text};
+use polhode_scene::{AtomicFile, LoadedScene, load_text, read_mesh};
 use polhode_study::drop::{
     DropError, NAMED_SHAPES, Part, PartShape, RestPoses, Setting, Start, THROW_COLUMNS, Throw, Throws, json, throw_line,
 };
@@ -130,6 +130,8 @@ fn part(args: &DropArgs, named: Option<PartShape>) -> Result<Part, Failure> {
         Some(shape) => shape,
         None => {
             let path = &args.body;
+            let solid = SolidMesh::new(read_mesh(path)?);
+            solid.map_err(|error| Failure::Usage(format!("error: {0}: {error}\n{1}", path.display(), cure(path))))?;
             let unread = |error| Failure::InputOutput(format!("error: cannot read {}: {error}", path.display()));
             PartShape::Mesh { file: std::fs::canonicalize(path).map_err(unread)?, scale: scale.unwrap_or(1.0) }
         }
@@ -144,6 +146,11 @@ fn part(args: &DropArgs, named: Option<PartShape>) -> Result<Part, Failure> {
         restitution: restitution.unwrap_or(RESTITUTION),
         elastic: young.map(|young| [young, poisson.unwrap_or(POISSON)]),
     })
+}
+
+/// What mends a mesh that bounds no solid.
+fn cure(path: &Path) -> String {
+    format!("help: `polhode mesh {0} --repair -o MENDED.obj` mends what can be mended safely", path.display())
 }
 
 /// A place, m.

@@ -10,7 +10,7 @@ use polhode::spatial::Rotation;
 use std::f64::consts::TAU;
 
 /// The attitude of a throw.
-pub fn attitude(seed: u64, throw: u64) -> Rotation {
+pub(super) fn attitude(seed: u64, throw: u64) -> Rotation {
     let [u, v, w] = ["attitude.u", "attitude.v", "attitude.w"].map(|name| share(seed, throw, name));
     let ((sv, cv), (sw, cw)) = (libm::sincos(TAU * v), libm::sincos(TAU * w));
     let (a, b) = (u.sqrt(), (1.0 - u).sqrt());

@@ -16,18 +16,18 @@ use std::f64::consts::PI;
 
 /// The law of a corner on a floor.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct ContactLaw {
+pub(super) struct ContactLaw {
     spring: NormalSpring,
     restitution: f64,
 }
 
 /// What an impulse at a point means over the time of the contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct OverTime {
+pub(super) struct OverTime {
     /// The greatest force, N.
-    pub force_n: f64,
+    pub(super) force_n: f64,
     /// How long bodies touch, s.
-    pub time_s: f64,
+    pub(super) time_s: f64,
 }
 
 impl ContactLaw {
@@ -36,14 +36,14 @@ impl ContactLaw {
     ///
     /// # Errors
     /// When both are rigid, or a number is not positive and finite.
-    pub fn new(materials: [Option<[f64; 2]>; 2], radius_m: f64, restitution: f64) -> Result<Self, SpringError> {
+    pub(super) fn new(materials: [Option<[f64; 2]>; 2], radius_m: f64, restitution: f64) -> Result<Self, SpringError> {
         let stiffness = ElasticPair::new(materials)?.hertz_stiffness(radius_m);
         let spring = NormalSpring::elastic(Growth::Hertz, stiffness)?;
         Ok(Self { spring, restitution })
     }
 
     /// Of an impulse (N s) at a point of this effective mass (kg).
-    pub fn over_time(&self, impulse_ns: f64, mass_kg: f64) -> OverTime {
+    pub(super) fn over_time(&self, impulse_ns: f64, mass_kg: f64) -> OverTime {
         let speed = impulse_ns / ((1.0 + self.restitution) * mass_kg);
         let depth = self.spring.impact_depth(mass_kg, speed);
         let duration = 0.8 * PI.sqrt() * libm::tgamma(0.4) / libm::tgamma(0.9);

@@ -8,7 +8,6 @@
 use super::attitude::attitude;
 use super::contact_time::{ContactLaw, OverTime};
 use super::setting::Setting;
-use polhode::spatial::rounding::HALF_OF_THE_DIGITS;
 use polhode::spatial::{DMat3, DVec3};
 use polhode::{BodyId, BodySample, Event, EventKind, Observer, Outcome, Simulation, SimulationError};
 
@@ -149,20 +148,24 @@ impl Thrower<'_> {
         flight.strongest.is_some_and(|blow| most <= blow.impulse_ns)
     }
 
-    /// What it rests on.
+    /// What it rests on: the face that is towards all that presses on it. What lies within the tilt that the face
+    /// survives is the face: between are rounding, the softness of a method, and slopes.
     fn at_rest(&self, simulation: &Simulation, body: BodyId, sample: &BodySample) -> Fate {
         let facets = self.setting.facets();
-        let down = if self.setting.is_on_plane() { Some(-self.setting.up()) } else { support(simulation, body) };
-        let Some(down) = down.map(|down| sample.pose.rotation.inverse_rotate(down)) else { return Fate::Leans };
-        let nearest = facets.nearest(down).and_then(|facet| Some((facet, facets.list().get(facet)?)));
-        // Nearer than the tilt it survives it falls back on the face: what is between is rounding, and softness.
-        match nearest {
-            Some((facet, own))
-                if libm::atan2(own.normal.cross(down).length(), own.normal.dot(down))
-                    <= own.tilt_rad.max(HALF_OF_THE_DIGITS) =>
-            {
-                Fate::Rests(facet)
-            }
+        let mut presses = if self.setting.is_on_plane() { Vec::new() } else { presses(simulation, body) };
+        if presses.is_empty() {
+            presses.push(-self.setting.up());
+        }
+        let on = |press: DVec3| {
+            let down = sample.pose.rotation.inverse_rotate(press);
+            let nearest = facets.nearest(down)?;
+            let own = facets.list().get(nearest)?;
+            let angle = libm::atan2(own.normal.cross(down).length(), own.normal.dot(down));
+            (angle < own.tilt_rad).then_some(nearest)
+        };
+        let first = presses.first().and_then(|&press| on(press));
+        match first {
+            Some(facet) if presses.iter().all(|&press| on(press) == first) => Fate::Rests(facet),
             _ => Fate::Leans,
         }
     }
@@ -218,20 +221,13 @@ fn effective_mass(mass: f64, inverse_inertia: &DMat3, arm: DVec3, along: DVec3) 
     1.0 / (1.0 / mass + turn.dot(*inverse_inertia * turn))
 }
 
-/// The direction against which the one surface presses that holds a body at rest; none where several hold it.
-fn support(simulation: &Simulation, body: BodyId) -> Option<DVec3> {
+/// The directions out of a body in which it presses on what holds it.
+fn presses(simulation: &Simulation, body: BodyId) -> Vec<DVec3> {
     let contacts = simulation.contacts();
     let own = contacts.iter().filter(|contact| contact.body_a == body || contact.body_b == body);
-    let mut presses = own.map(|contact| if contact.body_a == body { -contact.normal } else { contact.normal });
-    let first = presses.next()?;
-    let (count, is_one) = presses.fold((1, true), |(count, is_one), press| {
-        (count + 1, is_one && press.cross(first).length() <= HALF_OF_THE_DIGITS && press.dot(first) > 0.0)
-    });
-    (is_one && count >= CORNERS_OF_A_FACE).then_some(first)
+    let loaded = own.filter(|contact| contact.normal_force_n != 0.0);
+    loaded.map(|contact| if contact.body_a == body { -contact.normal } else { contact.normal }).collect()
 }
-
-/// Points at which a face touches at least.
-const CORNERS_OF_A_FACE: usize = 3;
 
 /// What a throw is measured by while it goes on.
 #[derive(Debug, Clone)]
