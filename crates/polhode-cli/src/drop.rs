@@ -1,6 +1,7 @@
 //! `polhode drop`: on which of its faces a body comes to rest, how often, and how hard it is struck.
 
-use crate::args::{DropArgs, PartArgs};
+use crate::args::{ChangeArgs, DropArgs};
+use crate::drop_args::{PartArgs, ThrowArgs};
 use crate::failure::Failure;
 use crate::interrupt::Interrupt;
 use crate::progress::Progress;
@@ -31,11 +32,12 @@ const POISSON: f64 = 0.3;
 
 /// Throws the body, and tells what became of it; exit code 1 where every throw failed.
 pub(crate) fn drop(args: &DropArgs, interrupt: &Interrupt) -> Result<(), Failure> {
+    let DropArgs { throw: args, changes } = args;
     if let Some(path) = &args.output {
         inputs::check_output(path, [args.body.as_path()].into_iter().chain(args.on.as_deref()))?;
     }
     let mut progress = Progress::new("reading what is thrown");
-    let setting = setting(args)?;
+    let setting = setting(args, changes)?;
     let throws =
         Throws { count: args.throws, seed: args.seed, workers: args.workers, corner_radius_m: args.part.corner_radius };
     interrupt.wait_for_steps();
@@ -75,11 +77,11 @@ pub(crate) fn drop(args: &DropArgs, interrupt: &Interrupt) -> Result<(), Failure
 }
 
 /// What is thrown, on what.
-fn setting(args: &DropArgs) -> Result<Setting, Failure> {
+fn setting(args: &ThrowArgs, changes: &ChangeArgs) -> Result<Setting, Failure> {
     let text = args.body.to_string_lossy();
     let place = args.at.as_deref().map(place).transpose()?;
-    let effects = scene::effects(&args.changes);
-    let changes = scene::overrides(&args.changes)?;
+    let effects = scene::effects(changes);
+    let changes = scene::overrides(changes)?;
     let start = |loaded: &LoadedScene| Start {
         height_m: args.height,
         place,
@@ -117,7 +119,7 @@ fn setting(args: &DropArgs) -> Result<Setting, Failure> {
 }
 
 /// The part that is thrown.
-fn part(args: &DropArgs, named: Option<PartShape>) -> Result<Part, Failure> {
+fn part(args: &ThrowArgs, named: Option<PartShape>) -> Result<Part, Failure> {
     let PartArgs { scale, density, friction, restitution, young, poisson, corner_radius: _ } = args.part;
     let name = match &named {
         Some(_) => args.body.to_string_lossy().split(':').next().unwrap_or_default().to_owned(),

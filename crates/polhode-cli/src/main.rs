@@ -6,7 +6,7 @@
 //!
 //! | module | holds |
 //! |---|---|
-//! | `args` | the command line |
+//! | `args`, `drop_args` | the command line |
 //! | `abandoned` | what programs that were killed have left behind |
 //! | `failure` | [`Failure`]: what went wrong, and the exit code it means |
 //! | `run`, `plan`, `check`, `mesh`, `compare` | the commands; `run` has `resume` too |
@@ -64,6 +64,7 @@ mod cost;
 mod demo;
 mod drawing;
 mod drop;
+mod drop_args;
 mod elastic;
 mod examples;
 mod failure;

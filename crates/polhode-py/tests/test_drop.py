@@ -37,4 +37,5 @@ def test_what_cannot_be_thrown():
         with pytest.raises(ValueError, match="1 to 10000000 are accepted"):
             ph.rest_poses(ph.Box(1, 1, 1), n)
     with pytest.raises(ValueError, match="no body"):
-        ph.rest_poses({"format": 1, "duration": 1.0, "bodies": [{"name": "a", "mass": 1.0, "inertia": [1, 1, 1]}]}, body="b")
+        nut = {"name": "a", "mass": 1.0, "inertia": [1, 1, 1]}
+        ph.rest_poses({"format": 1, "duration": 1.0, "bodies": [nut]}, body="b")

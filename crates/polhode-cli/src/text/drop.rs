@@ -38,7 +38,10 @@ pub(crate) fn page(setting: &Setting, throws: &Throws, poses: &RestPoses) -> Str
 
 fn faces(setting: &Setting, poses: &RestPoses) -> String {
     let list = setting.facets().list();
-    let mut order: Vec<usize> = (0..list.len()).filter(|&face| list[face].holds() || poses.on[face] > 0).collect();
+    let (held, all) = (list.iter().filter(|facet| facet.holds()).count(), list.len());
+    // Faces that nothing came to rest on are told where they are few.
+    let is_told = |face: &usize| poses.on[*face] > 0 || (list[*face].holds() && held <= MOST_ROWS);
+    let mut order: Vec<usize> = (0..all).filter(is_told).collect();
     order.sort_by_key(|&face| std::cmp::Reverse(poses.on[face]));
     let weight_n = setting.properties().mass() * setting.scene().gravity().length();
     let mut table = Table::default();
@@ -56,7 +59,6 @@ fn faces(setting: &Setting, poses: &RestPoses) -> String {
         ]);
     }
     let mut text = table.print();
-    let (held, all) = (list.iter().filter(|facet| facet.holds()).count(), list.len());
     let more = order.len().saturating_sub(MOST_ROWS);
     if more > 0 {
         let on: u64 = order.iter().skip(MOST_ROWS).map(|&face| poses.on[face]).sum();

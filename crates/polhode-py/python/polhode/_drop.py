@@ -76,7 +76,8 @@ class RestPoses(Sequence[RestFace]):
 
     def __repr__(self) -> str:
         others = self.leaning + self.moving + self.failed
-        return f"<polhode.RestPoses of {self.report['body']!r}: {len(self)} faces, {self.throws} throws, {others} on none>"
+        body, faces = self.report["body"], len(self)
+        return f"<polhode.RestPoses of {body!r}: {faces} faces, {self.throws} throws, {others} on none>"
 
 
 def rest_poses(
@@ -104,10 +105,11 @@ def rest_poses(
     """On which of its faces a body comes to rest, of ``n`` throws from random attitudes.
 
     ``what`` is a mesh file, a shape, or a scene, whose body ``body`` is thrown. A mesh or shape has a density (kg/m^3),
-    friction and restitution, and falls on a plane or on a scene ``on``. It is let go at rest, its lowest point ``height``
-    (m; its size) above the plane, or its centre of mass ``at`` a place. With Young's modulus (Pa) and the radius of its
-    corners (m) impacts have a duration, and the deceleration is told. The same ``seed`` gives the same throws, for any
-    number of ``workers``. ``tier`` and ``set`` change the scene, as for :func:`polhode.run`.
+    friction and restitution, and falls on a plane or on a scene ``on``. It is let go at rest: above a plane its lowest
+    point is at ``height`` (m; its own size when absent), elsewhere its centre of mass is ``at`` a place. With Young's
+    modulus (Pa) and the radius of its corners (m) impacts have a duration, and the deceleration is told. The same
+    ``seed`` gives the same throws, for any number of ``workers``. ``tier`` and ``set`` change the scene, as for
+    :func:`polhode.run`.
 
     >>> import polhode as ph
     >>> poses = ph.rest_poses(ph.Box(0.03, 0.02, 0.01), 40, seed=1)

@@ -31,8 +31,8 @@ pub(super) struct OverTime {
 }
 
 impl ContactLaw {
-    /// Of two materials (Young's modulus, Pa, and Poisson's ratio each; a rigid one has none), the radius of corners (m)
-    /// and the restitution.
+    /// Of two materials (Young's modulus, Pa, and Poisson's ratio each; a rigid one has none), the radius of corners
+    /// (m) and the restitution.
     ///
     /// # Errors
     /// When both are rigid, or a number is not positive and finite.

@@ -1,8 +1,8 @@
 //! Drops: on which of its faces a body comes to rest, how often, and how hard it is struck.
 //!
 //! Statics says on which faces it can rest, and how far each is from tipping ([`Facets`]); throws from random attitudes
-//! say how often it comes to rest there ([`RestPoses`]). A throw is a run of the simulation like any other, by the method
-//! of the scene, and depends on its number and the seed alone.
+//! say how often it comes to rest there ([`RestPoses`]). A throw is a run of the simulation like any other, by the
+//! method of the scene, and depends on its number and the seed alone.
 //!
 //! | module | holds |
 //! |---|---|

@@ -2,8 +2,8 @@
 //!
 //! Where all that a body can meet is one fixed plane across gravity, it collides with its convex hull: a plane touches
 //! nothing else of it, and the motion is that of the body itself. Such a plane loses no energy to the scene, so that
-//! a body whose energy no longer suffices to tip it has come to rest as far as its face is concerned. In any other scene
-//! the body keeps its shape, and a throw ends when it rests.
+//! a body whose energy no longer suffices to tip it has come to rest as far as its face is concerned. In any other
+//! scene the body keeps its shape, and a throw ends when it rests.
 
 use super::error::DropError;
 use super::facets::Facets;
@@ -13,8 +13,8 @@ use polhode::spatial::rounding::DIGITS_OF_A_FILE;
 use polhode::spatial::{DVec3, MassProperties, Pose, Rotation};
 use polhode::{Body, BodyId, Effects, ErrorEstimation, Geometry, Scene, Simulation, SimulationError};
 
-/// How long a throw may take, in times that the body needs to fall by the height and its own size (no unit): a body that
-/// bounces and rolls comes to rest in some ten.
+/// How long a throw may take, in times that the body needs to fall by the height and its own size (no unit): a body
+/// that bounces and rolls comes to rest in some ten.
 const LONGEST: f64 = 100.0;
 
 /// The floor that a body falls on.
