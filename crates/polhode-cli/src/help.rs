@@ -41,9 +41,9 @@ Examples:
 
 pub(crate) const DROP: &str = "\
 Examples:
-  polhode drop part.stl -n 200 --density 7850 --pictures poses
-  polhode drop box:0.016,0.016,0.016 -n 200 --json
-  polhode drop example:box-drop -n 50 -o throws.csv";
+  polhode drop part.stl -n 100 --density 7850 --pictures poses
+  polhode drop box:0.016,0.016,0.016 -n 60 --json
+  polhode drop example:box-drop -n 20 -o throws.csv";
 
 pub(crate) const CHECK: &str = "\
 Examples:
