@@ -1,5 +1,6 @@
 //! The command line.
 
+use crate::drop_args::ThrowArgs;
 use crate::help;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use polhode::ErrorEstimation;
@@ -51,6 +52,9 @@ pub(crate) enum Command {
     /// Says whether bodies stand, how firmly, what moves first, and what each contact carries
     #[command(after_help = help::STANDS)]
     Stands(StandsArgs),
+    /// Throws a body from random attitudes: on which faces it comes to rest, how often, how hard it is struck
+    #[command(after_help = help::DROP)]
+    Drop(DropArgs),
     /// Validates a scene
     #[command(after_help = help::CHECK)]
     Check(CheckArgs),
@@ -190,6 +194,15 @@ pub(crate) struct StandsArgs {
     /// Prints everything as JSON
     #[arg(long)]
     pub(crate) json: bool,
+}
+
+/// Arguments of `drop`.
+#[derive(Debug, Args)]
+pub(crate) struct DropArgs {
+    #[command(flatten)]
+    pub(crate) throw: ThrowArgs,
+    #[command(flatten)]
+    pub(crate) changes: ChangeArgs,
 }
 
 /// Arguments of `sweep`.

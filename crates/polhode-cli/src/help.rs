@@ -39,6 +39,12 @@ Examples:
   polhode stands example:masonry-arch --contacts
   polhode stands example:overhang-stack || echo \"it does not stand\"";
 
+pub(crate) const DROP: &str = "\
+Examples:
+  polhode drop part.stl -n 100 --density 7850 --pictures poses
+  polhode drop box:0.016,0.016,0.016 -n 60 --json
+  polhode drop example:box-drop -n 20 -o throws.csv";
+
 pub(crate) const CHECK: &str = "\
 Examples:
   polhode check scene.toml

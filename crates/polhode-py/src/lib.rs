@@ -8,6 +8,7 @@
 //! | `job` | work in a thread of its own, which Ctrl-C ends |
 //! | `run` | a run from its start to its end |
 //! | `study` | which method reaches an accuracy, and what accuracy costs |
+//! | `drop` | on which faces a body comes to rest |
 //! | `show` | a run as a page, pictures and plots |
 //! | `telling` | what pages and plots tell of a run, kept while it goes on |
 //! | `drawn` | all plots of a run |
@@ -26,6 +27,7 @@ mod actions;
 mod arguments;
 mod contacts;
 mod drawn;
+mod drop;
 mod errors;
 mod files;
 mod functions;
@@ -50,6 +52,8 @@ mod _polhode {
 
     #[pymodule_export]
     use super::contacts::{friction, impact_with_friction, impact_without_friction};
+    #[pymodule_export]
+    use super::drop::rest_poses;
     #[pymodule_export]
     use super::files::{doctor, material_keys, mesh_of_file, robot_of_file};
     #[pymodule_export]

@@ -24,10 +24,12 @@
 //! | [`study`] | all of it together |
 //! | [`json`] | the same as one JSON object |
 //! | [`sweep`] | many runs with other values, and what is measured of each |
+//! | [`mod@drop`] | on which faces a body comes to rest, how often, and how hard it is struck |
 //! | [`error`] | [`StudyError`] |
 
 pub mod candidate;
 pub mod difference;
+pub mod drop;
 pub mod error;
 pub mod host;
 pub mod json;

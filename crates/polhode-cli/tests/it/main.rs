@@ -6,6 +6,7 @@ mod bad_input;
 mod check;
 mod compare;
 mod cost;
+mod drop;
 mod elastic;
 mod every_day;
 #[cfg(unix)]

@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING, Any
 from ._contacts import FrictionSolution, Impact, impact, solve_friction
 from ._cost import Accuracy, Candidate, Cost, cost
 from ._distributions import Choice, Distribution, LogNormal, Normal, Uniform
+from ._drop import RestFace, RestPoses, rest_poses
 from ._errors import (
     ActionError,
     Busy,
@@ -120,6 +121,8 @@ __all__ = [
     "Plot",
     "Points",
     "PolhodeError",
+    "RestFace",
+    "RestPoses",
     "Robot",
     "RobotCoordinate",
     "RobotJoint",
@@ -157,6 +160,7 @@ __all__ = [
     "doctor",
     "impact",
     "mass_properties",
+    "rest_poses",
     "rotate_free",
     "run",
     "solve_friction",

@@ -32,6 +32,7 @@ __all__ = [
     "mesh_report",
     "page",
     "plot",
+    "rest_poses",
     "robot_of_file",
     "rotate_free",
     "run",
@@ -133,6 +134,16 @@ def study(
     budget_s: float | None = None,
 ) -> str:
     """The study of a scene as JSON, as ``polhode cost --json`` prints it."""
+
+def rest_poses(
+    loaded: Loaded,
+    body: str | None,
+    on: Loaded | None,
+    asked: tuple[int, int, float | None, float | None, Sequence[float] | None, float | None],
+    workers: int | None,
+    told: _Told,
+) -> str:
+    """The throws of a body as JSON, as ``polhode drop --json`` prints them."""
 
 
 @final

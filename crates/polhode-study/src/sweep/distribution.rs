@@ -112,7 +112,7 @@ impl Distribution {
 }
 
 /// The share of a run, between 0 and 1 without both.
-fn share(seed: u64, run: u64, key: &str) -> f64 {
+pub(crate) fn share(seed: u64, run: u64, key: &str) -> f64 {
     let digest = Blake2b::<U8>::digest(format!("{seed}\n{run}\n{key}").as_bytes());
     let whole = digest.iter().fold(0_u64, |whole, byte| (whole << 8) | u64::from(*byte));
     ((whole >> (u64::BITS - BITS)) as f64 + 0.5) / (1_u64 << BITS) as f64

@@ -25,8 +25,10 @@ mod scene;
 mod varied;
 
 pub use distribution::Distribution;
+pub(crate) use distribution::share;
 pub use error::SweepError;
 pub use measure::Measure;
+pub(crate) use plan::MOST_RUNS;
 pub use plan::Sweep;
 pub use record::{Record, path_of_shard, shards_of};
 pub use run::Row;

@@ -10,7 +10,7 @@ use std::num::NonZeroU64;
 use std::ops::Range;
 
 /// Runs of a sweep at the most: a table of a few columns fills a gigabyte.
-const MOST_RUNS: u64 = 10_000_000;
+pub(crate) const MOST_RUNS: u64 = 10_000_000;
 
 /// Values of a list that are checked at most: every one of a list that a person has written.
 const MOST_CHECKED: usize = 200;

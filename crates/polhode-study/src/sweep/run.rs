@@ -4,13 +4,11 @@ use super::error::SweepError;
 use super::measure::Measured;
 use super::plan::Sweep;
 use super::scene::{IsStopped, SweepScene};
+use crate::threads::in_order;
 use polhode::{BodySample, Energy, Event, Flow, JointSample, Observer, RunReport, Simulation};
 use polhode_scene::names;
-use std::collections::BTreeMap;
 use std::num::NonZeroUsize;
 use std::ops::Range;
-use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
-use std::sync::mpsc;
 
 /// A run that is finished.
 #[derive(Debug, Clone, PartialEq)]
@@ -42,45 +40,13 @@ impl Sweep {
         workers: NonZeroUsize,
         mut take: impl FnMut(Row) -> Result<(), SweepError>,
     ) -> Result<(), SweepError> {
-        let next = AtomicU64::new(runs.start);
-        let is_over = AtomicBool::new(false);
-        let (send, receive) = mpsc::channel();
-        let work = |send: mpsc::Sender<Row>| {
-            while !(scene.is_stopped)() && !is_over.load(Ordering::Relaxed) {
-                let run = next.fetch_add(1, Ordering::Relaxed);
-                if run >= runs.end {
-                    return;
-                }
-                let Some(row) = self.row(scene, run) else { return };
-                if send.send(row).is_err() {
-                    return;
-                }
-            }
-        };
-        std::thread::scope(|scope| {
-            let mut begun = 0;
-            for _ in 0..workers.get() {
-                let send = send.clone();
-                begun += usize::from(std::thread::Builder::new().spawn_scoped(scope, || work(send)).is_ok());
-            }
-            if begun == 0 {
-                // The system gives no thread: this one computes first, and takes then.
-                work(send.clone());
-            }
-            drop(send);
-            let (mut awaited, mut kept) = (runs.start, BTreeMap::new());
-            for row in receive {
-                kept.insert(row.run, row);
-                while let Some(row) = kept.remove(&awaited) {
-                    if let Err(error) = take(row) {
-                        is_over.store(true, Ordering::Relaxed);
-                        return Err(error);
-                    }
-                    awaited += 1;
-                }
-            }
-            if awaited < runs.end { Err(SweepError::Stopped) } else { Ok(()) }
-        })
+        let mut left = runs.end - runs.start;
+        let made = |run| if (scene.is_stopped)() { None } else { self.row(scene, run) };
+        in_order(runs, workers, made, |row| {
+            left -= 1;
+            take(row)
+        })?;
+        if left > 0 { Err(SweepError::Stopped) } else { Ok(()) }
     }
 
     /// A run; none where it was stopped.
