@@ -48,7 +48,7 @@ from ._polhode import (
     StepOutcome,
     __version__,
 )
-from ._robot import Robot, RobotCoordinate, RobotJoint, RobotLink
+from ._robot import Robot, RobotActuator, RobotCoordinate, RobotJoint, RobotLink
 from ._run import Energies, Joints, JointTrack, Run, Track, run
 from ._scene import Body, JointHandle, Scene
 from ._shapes import Box, Capsule, Compound, Cone, Convex, Cylinder, HalfSpace, Mesh, Points, Shape, Sphere, Torus
@@ -121,6 +121,7 @@ __all__ = [
     "Points",
     "PolhodeError",
     "Robot",
+    "RobotActuator",
     "RobotCoordinate",
     "RobotJoint",
     "RobotLink",

@@ -1,0 +1,251 @@
+//! `<actuator>`: motors and servos of joints, in the affine form that they share.
+//!
+//! `<motor>`, `<position>`, `<velocity>` and `<damper>` are ways to write `<general>`, and share its defaults: the
+//! class of a `<position>` gives attributes to a `<general>` too, and later words replace earlier ones. Source:
+//! docs/REFERENCES.md, MJCF.
+
+use super::super::element::Element;
+use super::super::finding::RobotDefect;
+use super::super::model::{Actuator, RobotCoordinate};
+use super::super::reading::Reading;
+use super::body::Bodies;
+use super::defaults::Defaults;
+
+/// What all of them are, in classes.
+pub(super) const GENERAL: &str = "general";
+
+/// Elements that are read.
+const READ: [&str; 5] = [GENERAL, "motor", "position", "velocity", "damper"];
+
+/// Elements that are known, and not simulated.
+const NOT_READ: [&str; 6] = ["intvelocity", "cylinder", "muscle", "adhesion", "plugin", "dcmotor"];
+
+/// Attributes that one of the ways to write an actuator has, and `<general>` has not.
+const OWN: [&str; 5] = ["class", "kp", "kv", "dampratio", "timeconst"];
+
+/// What an actuator may act on, besides joints.
+const TRANSMISSIONS: [&str; 6] = ["tendon", "cranksite", "slidersite", "site", "body", "refsite"];
+
+/// The actuators of a file that are simulated, and the names of all.
+pub(super) fn read(
+    root: &Element,
+    (bodies, defaults): (&Bodies<'_>, &Defaults),
+    reading: &mut Reading,
+) -> (Vec<Actuator>, Vec<String>) {
+    let (mut actuators, mut names) = (Vec::new(), Vec::<String>::new());
+    for element in root.all("actuator").flat_map(|actuator| &actuator.children) {
+        let own = element.attribute("name");
+        let name = own.map_or_else(|| format!("actuator_{}", names.len() + 1), str::to_owned);
+        if names.contains(&name) {
+            reading.refuse(element, format!("actuator `{name}`"), RobotDefect::DuplicateName("actuator"));
+        }
+        actuators.extend(one(element, &name, (bodies, defaults), reading));
+        names.push(name);
+    }
+    (actuators, names)
+}
+
+/// Whether a class holds attributes of actuators in an element of this name.
+pub(super) fn is_actuator(name: &str) -> bool {
+    READ.contains(&name) || NOT_READ.contains(&name)
+}
+
+/// The attributes of `<general>` that an element means, with those that it has from above.
+pub(super) fn general(element: &Element, above: Vec<(String, String)>) -> Vec<(String, String)> {
+    let mut all = above;
+    for (key, value) in element.attributes().filter(|(key, _)| !OWN.contains(key)) {
+        set(&mut all, key, value.to_owned());
+    }
+    let first = |all: &[(String, String)]| word(all, "gainprm", 0).unwrap_or_else(|| "1".to_owned());
+    let constant = |key: &str| element.attribute(key).map(|text| text.trim().to_owned());
+    match element.name.as_str() {
+        "motor" => words(&mut all, ["fixed", "none", "1", "0 0 0"]),
+        "position" => {
+            let kp = constant("kp").unwrap_or_else(|| first(&all));
+            let of_rate = word(&all, "biasprm", 2).unwrap_or_else(|| "0".to_owned());
+            let of_rate = constant("kv").map_or(of_rate, |kv| opposite(&kv));
+            let offset = word(&all, "biasprm", 0).unwrap_or_else(|| "0".to_owned());
+            words(&mut all, ["fixed", "affine", &kp, &format!("{offset} {} {of_rate}", opposite(&kp))]);
+            if let Some(ratio) = constant("dampratio") {
+                set(&mut all, "dampratio", ratio);
+            } else if element.attribute("kv").is_some() {
+                all.retain(|(key, _)| key != "dampratio");
+            }
+            if let Some(time) = constant("timeconst") {
+                set(&mut all, "dyntype", "filterexact".to_owned());
+                set(&mut all, "dynprm", time);
+            }
+        }
+        "velocity" => {
+            let kv = constant("kv").unwrap_or_else(|| first(&all));
+            words(&mut all, ["fixed", "affine", &kv, &format!("0 0 {}", opposite(&kv))]);
+        }
+        "damper" => {
+            let kv = constant("kv").unwrap_or_else(|| "0".to_owned());
+            words(&mut all, ["affine", "none", &format!("0 0 {}", opposite(&kv)), "0 0 0"]);
+        }
+        _ => {}
+    }
+    all
+}
+
+/// Sets kinds and numbers of gain and bias, of what has no dynamics.
+fn words(all: &mut Vec<(String, String)>, [gain_kind, bias_kind, gain, bias]: [&str; 4]) {
+    let of_each =
+        [("gaintype", gain_kind), ("biastype", bias_kind), ("gainprm", gain), ("biasprm", bias), ("dyntype", "none")];
+    for (key, value) in of_each {
+        set(all, key, value.to_owned());
+    }
+}
+
+fn set(all: &mut Vec<(String, String)>, key: &str, value: String) {
+    all.retain(|(own, _)| own != key);
+    all.push((key.to_owned(), value));
+}
+
+/// A word of an attribute.
+fn word(all: &[(String, String)], key: &str, number: usize) -> Option<String> {
+    let (_, value) = all.iter().find(|(own, _)| own == key)?;
+    value.split_whitespace().nth(number).map(str::to_owned)
+}
+
+/// A number with the opposite sign, as a word; what is no number stays, to be refused where it is read.
+fn opposite(word: &str) -> String {
+    let number = word.parse::<f64>().ok();
+    number.map_or_else(|| word.to_owned(), |number| format!("{:?}", 0.0 - number))
+}
+
+/// An actuator; none where it is not simulated or refused, which is noted.
+fn one(
+    element: &Element,
+    name: &str,
+    (bodies, defaults): (&Bodies<'_>, &Defaults),
+    reading: &mut Reading,
+) -> Option<Actuator> {
+    let subject = format!("actuator `{name}`");
+    let left_out = |what: String, reading: &mut Reading| {
+        reading.refuse(element, &subject, RobotDefect::ActuatorLeftOut(what));
+        None
+    };
+    if !READ.contains(&element.name.as_str()) {
+        let is_known = NOT_READ.contains(&element.name.as_str());
+        let kind = if is_known { "of a kind that is not simulated" } else { "of no known kind" };
+        return left_out(format!("<{}> is an actuator {kind}", element.name), reading);
+    }
+    for key in ["kp", "kv", "dampratio", "timeconst"] {
+        reading.number(element, key, &subject);
+    }
+    let full = defaults.actuator(element);
+    let coordinate = target(&full, &subject, bodies, reading)?;
+    let kinds = [("gaintype", "fixed"), ("biastype", "none")].map(|(key, usual)| full.attribute(key).unwrap_or(usual));
+    if let Some(kind) = kinds.iter().find(|kind| !["fixed", "affine", "none"].contains(kind)) {
+        return left_out(format!("its gain or its bias is of the kind \"{kind}\", which is not simulated"), reading);
+    }
+    match full.attribute("dyntype").unwrap_or("none") {
+        "none" => {}
+        "filter" | "filterexact" => reading.refuse(element, &subject, RobotDefect::NoFilter),
+        other => {
+            let what = format!("its activation is of the kind \"{other}\": its effort changes while its control stays");
+            return left_out(what, reading);
+        }
+    }
+    let [gain, bias] = [("gainprm", kinds[0] == "affine"), ("biasprm", kinds[1] == "affine")]
+        .map(|(key, is_affine)| parameters(&full, key, is_affine, &subject, reading));
+    let (gain, bias) = (gain?, bias?);
+    let gear = reading.numbers(&full, "gear", 1..=6, &subject).map_or(1.0, |numbers| numbers[0]);
+    let force_range = range(&full, ["forcerange", "forcelimited"], bodies, &subject, reading)?;
+    let control_range = range(&full, ["ctrlrange", "ctrllimited"], bodies, &subject, reading)?;
+    let inherited = reading.number(&full, "inheritrange", &subject).filter(|share| *share > 0.0);
+    let inherited = inherited.zip(coordinate.limits).map(|(share, [lower, upper])| {
+        let (middle, half) = (0.5 * (lower + upper), 0.5 * share * (upper - lower));
+        [middle - half, middle + half]
+    });
+    Some(Actuator {
+        name: name.to_owned(),
+        place: element.place.clone(),
+        kind: element.name.clone(),
+        joint: coordinate.name.clone(),
+        gear,
+        gain,
+        bias,
+        damping_ratio: reading.number(&full, "dampratio", &subject).filter(|ratio| *ratio > 0.0),
+        control_range: control_range.or(inherited),
+        force_range,
+    })
+}
+
+/// The coordinate on which an actuator acts.
+fn target<'a>(
+    full: &Element,
+    subject: &str,
+    bodies: &'a Bodies<'_>,
+    reading: &mut Reading,
+) -> Option<&'a RobotCoordinate> {
+    let Some(name) = full.attribute("joint").or_else(|| full.attribute("jointinparent")) else {
+        match TRANSMISSIONS.iter().find(|key| full.attribute(key).is_some()) {
+            Some(key) => {
+                let what = format!("it acts on a {key}, and joints alone are driven");
+                reading.refuse(full, subject, RobotDefect::ActuatorLeftOut(what));
+            }
+            None => reading.refuse(full, subject, RobotDefect::MissingAttribute("joint")),
+        }
+        return None;
+    };
+    if let Some(coordinate) = bodies.coordinate(name) {
+        return Some(coordinate);
+    }
+    if let Some(kind) = bodies.kind_of(name) {
+        let what = format!("joint `{name}` is a {} joint, along which nothing acts", kind.name());
+        reading.refuse(full, subject, RobotDefect::ActuatorLeftOut(what));
+    } else {
+        let known = crate::error::nearest(name, &bodies.coordinate_names(), "none, there are no hinges and no sliders");
+        let defect = RobotDefect::UnknownOf { kind: "joint", name: name.to_owned(), known };
+        reading.refuse(full, subject, defect);
+    }
+    None
+}
+
+/// The numbers of gain or bias; those that its kind does not use are zero.
+fn parameters(full: &Element, key: &str, is_affine: bool, subject: &str, reading: &mut Reading) -> Option<[f64; 3]> {
+    let is_gain = key == "gainprm";
+    let usual = if is_gain { [1.0, 0.0, 0.0] } else { [0.0; 3] };
+    let Some(text) = full.attribute(key) else { return Some(usual) };
+    let most = text.split_whitespace().count().max(1);
+    let numbers = reading.numbers(full, key, 1..=most, subject)?;
+    let number = |index: usize| numbers.get(index).copied().unwrap_or(0.0);
+    Some(match (is_affine, is_gain) {
+        (true, _) => [number(0), number(1), number(2)],
+        (false, true) => [number(0), 0.0, 0.0],
+        (false, false) => [0.0; 3],
+    })
+}
+
+/// A range when it holds; `Some(None)` where there is none, `None` where it is refused.
+fn range(
+    full: &Element,
+    [key, limited]: [&'static str; 2],
+    bodies: &Bodies<'_>,
+    subject: &str,
+    reading: &mut Reading,
+) -> Option<Option<[f64; 2]>> {
+    let numbers = match full.attribute(key) {
+        None => None,
+        Some(_) => Some(reading.numbers(full, key, 2..=2, subject)?),
+    };
+    // Zeros, the default of the format, are no range.
+    let numbers = numbers.filter(|numbers| numbers.iter().any(|&number| number != 0.0));
+    let is_limited = full.attribute(limited) == Some("true") || bodies.compiler().automatic_limits;
+    let Some(numbers) = numbers.filter(|_| full.attribute(limited) != Some("false")) else {
+        if full.attribute(limited) == Some("true") {
+            reading.refuse(full, subject, RobotDefect::MissingAttribute(key));
+            return None;
+        }
+        return Some(None);
+    };
+    let (lower, upper) = (numbers[0], numbers[1]);
+    if lower >= upper {
+        reading.refuse(full, subject, RobotDefect::Range { what: key, lower, upper });
+        return None;
+    }
+    Some(is_limited.then_some([lower, upper]))
+}
