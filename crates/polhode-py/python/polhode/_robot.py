@@ -105,7 +105,7 @@ class Robot:
         self.name = told["name"]
         self.links = [RobotLink(*link) for link in told["links"]]
         self.joints = [_joint(**joint) for joint in told["joints"]]
-        self.actuators = [RobotActuator(*own) for own in told["actuators"]]
+        self.actuators = [RobotActuator(**own) for own in told["actuators"]]
         self.keyframes = told["keyframes"]
         self.findings = told["findings"]
 

@@ -432,7 +432,12 @@ impl Making<'_> {
                 let name = self.name(&own.name);
                 self.made.joint_names.push((name, self.made.joints.len(), coordinate));
                 let (motor, motion) = self.drive(own, coordinate, number);
-                let mut acting = freedom(own, (coordinate, motion.is_some()), value, &mut self.findings);
+                let without_limits = RobotCoordinate { limits: None, ..own.clone() };
+                if motion.is_some() && own.limits.is_some() {
+                    self.findings.add(&own.place, format!("joint `{}`", own.name), RobotDefect::PrescribedBeyond);
+                }
+                let kept = if motion.is_some() { &without_limits } else { own };
+                let mut acting = freedom(kept, coordinate, value, &mut self.findings);
                 // The numbers of motors have been checked, and are finite.
                 if let Some(motor) = motor.and_then(|motor| drive::from_start(motor, value).ok()) {
                     acting = acting.with_motor(motor);
@@ -488,7 +493,7 @@ impl Making<'_> {
         let coordinates = self.robot.joints.iter().flat_map(|joint| &joint.coordinates);
         let of_others = coordinates.filter(|own| !self.driven.contains(&own.name));
         let limits: Vec<_> = of_others.filter_map(|own| own.effort_limit.as_ref()).collect();
-        if let Some(first) = limits.iter().min_by_key(|limit| &limit.place) {
+        if let Some(first) = limits.iter().min_by(|a, b| a.place.cmp(&b.place)) {
             let (what, count) = (first.what.to_owned(), limits.len());
             self.findings.add(&first.place, "robot", RobotDefect::Ignored { what, count, why: OF_MOTORS });
         }
@@ -584,17 +589,10 @@ impl Making<'_> {
 }
 
 /// What acts along a coordinate that is at `value` at the start: the engine counts it from there.
-fn freedom(
-    own: &RobotCoordinate,
-    (coordinate, is_prescribed): (Coordinate, bool),
-    value: f64,
-    findings: &mut Findings,
-) -> Freedom {
+fn freedom(own: &RobotCoordinate, coordinate: Coordinate, value: f64, findings: &mut Findings) -> Freedom {
     let mut freedom = Freedom::default();
     if let Some([lower, upper]) = own.limits {
-        if is_prescribed {
-            findings.add(&own.place, format!("joint `{}`", own.name), RobotDefect::PrescribedBeyond);
-        } else if coordinate == Coordinate::Angle && upper - lower >= 2.0 * std::f64::consts::PI {
+        if coordinate == Coordinate::Angle && upper - lower >= 2.0 * std::f64::consts::PI {
             let subject = format!("joint `{}`", own.name);
             findings.add(&own.place, subject, RobotDefect::Revolution(upper - lower));
         } else if let Ok(limits) = Limits::new(lower - value, upper - value) {

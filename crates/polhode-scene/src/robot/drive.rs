@@ -6,9 +6,10 @@
 //! regulates `q` to `E / K`; without `K` one that regulates `q'` to `E / D`; without both a constant effort.
 
 use super::finding::{Finding, RobotDefect};
-use super::model::{Actuator, EffortLimit, RobotCoordinate, RobotJointKind};
+use super::model::{Actuator, EffortLimit, RobotCoordinate};
 use polhode::scene::{Coordinate, CoordinateMotion, Drive, FreedomError, Motor};
 use std::collections::BTreeMap;
+use std::fmt::Write as _;
 
 /// What drives a coordinate, as the scene says: in values of the joint of the file.
 #[derive(Debug, Clone, PartialEq)]
@@ -55,7 +56,7 @@ pub(super) fn of_scene(drive: &RobotDrive, own: &RobotCoordinate, coordinate: Co
     let motor = drive.motor.map(|motor| bounded(motor, bound));
     let mut words = motor.map_or_else(String::new, |motor| words(&motor, coordinate));
     if let Some(limit) = bound.filter(|_| motor.is_some()) {
-        words.push_str(&format!(" ({} in its file)", limit.what));
+        let _ = write!(words, " ({} in its file)", limit.what);
     }
     if drive.motion.is_some() {
         words = "its motion is prescribed".to_owned();
@@ -74,6 +75,15 @@ fn bounded(motor: Motor, limit: Option<&EffortLimit>) -> Motor {
     limit.map_or(motor, |limit| motor.at_most(limit.most.min(motor.most())).unwrap_or(motor))
 }
 
+/// An actuator that acts.
+struct Acting<'a> {
+    actuator: &'a Actuator,
+    control: f64,
+    made: Affine,
+    /// Its largest effort along the coordinate.
+    most: f64,
+}
+
 /// The motor that the actuators of a coordinate are together; `inertia` is that of what they move, kg m^2 or kg.
 pub(super) fn of_actuators(
     actuators: &[&Actuator],
@@ -82,42 +92,38 @@ pub(super) fn of_actuators(
     inertia: f64,
     findings: &mut Vec<Finding>,
 ) -> Option<Motor> {
-    let (mut sum, mut most, mut bounds, mut kept) = (Affine::default(), 0.0, 0, Vec::new());
-    for actuator in actuators {
+    let mut acting = Vec::new();
+    for &actuator in actuators {
         let mut tell = |defect| {
             let (place, subject) = (actuator.place.clone(), format!("actuator `{}`", actuator.name));
             findings.push(Finding { place, subject, defect });
         };
         let control = control_of(actuator, controls, &mut tell);
         let Some(mut made) = affine(actuator, control, inertia, &mut tell) else { continue };
-        let bound = bound_of(actuator, &mut tell);
         if made.stiffness == 0.0 && made.damping == 0.0 {
             // A constant effort is bounded as it is.
             made.effort = within(made.effort, actuator);
         }
-        bounds += usize::from(bound.is_finite());
-        most += bound;
+        acting.push(Acting { actuator, control, made, most: bound_of(actuator, &mut tell) });
+    }
+    let mut sum = Affine::default();
+    for Acting { actuator, control, made, most } in &acting {
         sum.effort += made.effort;
         sum.stiffness += made.stiffness;
         sum.damping += made.damping;
-        kept.push((actuator, control, made, bound));
-    }
-    for (actuator, control, made, bound) in &kept {
-        let motor = motor_of(*made, *bound).map(|motor| bounded(motor, own.effort_limit.as_ref()));
+        let motor = motor_of(*made, *most).map(|motor| bounded(motor, own.effort_limit.as_ref()));
         let acts = motor.map_or_else(|| "nothing".to_owned(), |motor| words(&motor, coordinate));
-        let joint = &own.name;
-        let what = format!("<{}> at joint `{joint}`, control {control}: {acts}", actuator.kind);
+        let what = format!("<{}> at joint `{}`, control {control}: {acts}", actuator.kind, own.name);
         let (place, subject) = (actuator.place.clone(), format!("actuator `{}`", actuator.name));
         findings.push(Finding { place, subject, defect: RobotDefect::Read(what) });
     }
-    let count = kept.len();
-    if count > 1 && bounds > 0 && sum.stiffness + sum.damping > 0.0 {
+    let (count, most) = (acting.len(), acting.iter().map(|own| own.most).sum());
+    let has_bounds = acting.iter().any(|own| own.most.is_finite());
+    if count > 1 && has_bounds && sum.stiffness + sum.damping > 0.0 {
         let defect = RobotDefect::SumOfBounds { count, most };
         findings.push(Finding { place: own.place.clone(), subject: subject(own), defect });
     }
-    let is_constant = sum.stiffness == 0.0 && sum.damping == 0.0;
-    let bound = if is_constant { f64::INFINITY } else { most };
-    motor_of(sum, bound).map(|motor| bounded(motor, own.effort_limit.as_ref()))
+    motor_of(sum, most).map(|motor| bounded(motor, own.effort_limit.as_ref()))
 }
 
 /// The control of an actuator: the one given, moved into its range, or else zero.
@@ -203,12 +209,7 @@ fn words(motor: &Motor, coordinate: Coordinate) -> String {
         _ => String::new(),
     };
     if motor.most() < f64::INFINITY {
-        words.push_str(&format!(", at most {} {effort}", motor.most()));
+        let _ = write!(words, ", at most {} {effort}", motor.most());
     }
     words
-}
-
-/// The kinds of joint along which a drive acts.
-pub(crate) const fn has_drives(kind: RobotJointKind) -> bool {
-    matches!(kind, RobotJointKind::Hinge { .. } | RobotJointKind::Slider { .. })
 }

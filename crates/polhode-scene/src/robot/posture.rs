@@ -16,15 +16,15 @@ pub(super) fn at_keyframe(robot: &Robot, keyframe: &Keyframe) -> (Robot, BTreeMa
     let (mut keyed, mut values) = (robot.clone(), BTreeMap::new());
     let Some(numbers) = &keyframe.coordinates else { return (keyed, values) };
     for (joint, own) in keyed.joints.iter_mut().zip(parts(robot, 0, numbers)) {
-        match (joint.kind, own[..]) {
-            (RobotJointKind::Free, [x, y, z, ref quaternion @ ..]) => {
-                joint.origin = Pose::new(rotation(quaternion), DVec3::new(x, y, z));
+        match (joint.kind, own.as_slice()) {
+            (RobotJointKind::Free, [x, y, z, quaternion @ ..]) => {
+                joint.origin = Pose::new(rotation(quaternion), DVec3::new(*x, *y, *z));
             }
-            (RobotJointKind::Ball, ref quaternion) => {
+            (RobotJointKind::Ball, quaternion) => {
                 let turned = rotation(quaternion);
                 joint.origin = joint.origin * Pose::new(turned, joint.anchor - turned.rotate(joint.anchor));
             }
-            (_, [value]) => values.extend(joint.coordinates.first().map(|own| (own.name.clone(), value))),
+            (_, [value]) => values.extend(joint.coordinates.first().map(|own| (own.name.clone(), *value))),
             _ => {}
         }
     }

@@ -308,7 +308,7 @@ fn coordinates(
         joint_extras::not_negative(own, key, value, &subject, reading)
     };
     let [damping, friction] = ["damping", "friction"].map(|key| constant(key).unwrap_or(0.0));
-    let effort_limit = limit.and_then(|own| effort_limit(own));
+    let effort_limit = limit.and_then(effort_limit);
     let (name, place) = (name.to_owned(), limit.unwrap_or(element).place.clone());
     let coordinate = RobotCoordinate {
         name,

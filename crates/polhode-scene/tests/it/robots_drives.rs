@@ -45,7 +45,8 @@ fn actuator(inside: &str) -> String {
 
 /// The scene of a robot without gravity that forces its motion to be as exact as the engine has it.
 fn weightless(folder: &Folder, file: &str, keys: &str) -> LoadedScene {
-    let text = format!("{keys}\n[[bodies]]\nname = \"far\"\nfixed = true\nshape.sphere.radius = 1\nposition = [9, 0, 0]");
+    let text =
+        format!("{keys}\n[[bodies]]\nname = \"far\"\nfixed = true\nshape.sphere.radius = 1\nposition = [9, 0, 0]");
     let text = format!("format = 1\ngravity = [0, 0, 0]\n[[models]]\nfile = {file:?}\n{text}\n");
     let origin = folder.path("scene.toml");
     polhode_scene::load_text(&origin.to_string_lossy(), &text, &[]).unwrap_or_else(|error| panic!("{error}"))

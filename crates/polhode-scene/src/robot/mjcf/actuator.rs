@@ -138,7 +138,7 @@ fn one(
     let full = defaults.actuator(element);
     let coordinate = target(&full, &subject, bodies, reading)?;
     let kinds = [("gaintype", "fixed"), ("biastype", "none")].map(|(key, usual)| full.attribute(key).unwrap_or(usual));
-    if let Some(kind) = kinds.iter().find(|kind| !["fixed", "affine", "none"].contains(kind)) {
+    if let Some(kind) = kinds.iter().find(|kind| !["fixed", "affine", "none"].contains(*kind)) {
         return left_out(format!("its gain or its bias is of the kind \"{kind}\", which is not simulated"), reading);
     }
     match full.attribute("dyntype").unwrap_or("none") {
@@ -149,12 +149,12 @@ fn one(
             return left_out(what, reading);
         }
     }
-    let [gain, bias] = [("gainprm", kinds[0] == "affine"), ("biasprm", kinds[1] == "affine")]
-        .map(|(key, is_affine)| parameters(&full, key, is_affine, &subject, reading));
+    let [gain, bias] = [("gainprm", kinds[0]), ("biasprm", kinds[1])]
+        .map(|(key, kind)| parameters(&full, (key, kind), &subject, reading));
     let (gain, bias) = (gain?, bias?);
     let gear = reading.numbers(&full, "gear", 1..=6, &subject).map_or(1.0, |numbers| numbers[0]);
-    let force_range = range(&full, ["forcerange", "forcelimited"], bodies, &subject, reading)?;
-    let control_range = range(&full, ["ctrlrange", "ctrllimited"], bodies, &subject, reading)?;
+    let force_range = range(&full, ["forcerange", "forcelimited"], bodies, &subject, reading);
+    let control_range = range(&full, ["ctrlrange", "ctrllimited"], bodies, &subject, reading);
     let inherited = reading.number(&full, "inheritrange", &subject).filter(|share| *share > 0.0);
     let inherited = inherited.zip(coordinate.limits).map(|(share, [lower, upper])| {
         let (middle, half) = (0.5 * (lower + upper), 0.5 * share * (upper - lower));
@@ -206,46 +206,41 @@ fn target<'a>(
 }
 
 /// The numbers of gain or bias; those that its kind does not use are zero.
-fn parameters(full: &Element, key: &str, is_affine: bool, subject: &str, reading: &mut Reading) -> Option<[f64; 3]> {
+fn parameters(full: &Element, (key, kind): (&str, &str), subject: &str, reading: &mut Reading) -> Option<[f64; 3]> {
     let is_gain = key == "gainprm";
     let usual = if is_gain { [1.0, 0.0, 0.0] } else { [0.0; 3] };
     let Some(text) = full.attribute(key) else { return Some(usual) };
     let most = text.split_whitespace().count().max(1);
     let numbers = reading.numbers(full, key, 1..=most, subject)?;
     let number = |index: usize| numbers.get(index).copied().unwrap_or(0.0);
-    Some(match (is_affine, is_gain) {
+    Some(match (kind == "affine", is_gain) {
         (true, _) => [number(0), number(1), number(2)],
         (false, true) => [number(0), 0.0, 0.0],
         (false, false) => [0.0; 3],
     })
 }
 
-/// A range when it holds; `Some(None)` where there is none, `None` where it is refused.
+/// A range when it holds; none where there is none, or it is refused.
 fn range(
     full: &Element,
     [key, limited]: [&'static str; 2],
     bodies: &Bodies<'_>,
     subject: &str,
     reading: &mut Reading,
-) -> Option<Option<[f64; 2]>> {
-    let numbers = match full.attribute(key) {
-        None => None,
-        Some(_) => Some(reading.numbers(full, key, 2..=2, subject)?),
-    };
+) -> Option<[f64; 2]> {
     // Zeros, the default of the format, are no range.
-    let numbers = numbers.filter(|numbers| numbers.iter().any(|&number| number != 0.0));
-    let is_limited = full.attribute(limited) == Some("true") || bodies.compiler().automatic_limits;
-    let Some(numbers) = numbers.filter(|_| full.attribute(limited) != Some("false")) else {
-        if full.attribute(limited) == Some("true") {
+    let numbers = reading.numbers(full, key, 2..=2, subject).filter(|numbers| numbers.iter().any(|&own| own != 0.0));
+    let limited = full.attribute(limited);
+    let Some(numbers) = numbers.filter(|_| limited != Some("false")) else {
+        if limited == Some("true") {
             reading.refuse(full, subject, RobotDefect::MissingAttribute(key));
-            return None;
         }
-        return Some(None);
+        return None;
     };
     let (lower, upper) = (numbers[0], numbers[1]);
     if lower >= upper {
         reading.refuse(full, subject, RobotDefect::Range { what: key, lower, upper });
         return None;
     }
-    Some(is_limited.then_some([lower, upper]))
+    (limited == Some("true") || bodies.compiler().automatic_limits).then_some([lower, upper])
 }

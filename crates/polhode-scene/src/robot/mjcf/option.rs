@@ -55,7 +55,7 @@ impl Options {
         for element in root.all("option") {
             own.gravity = reading.vector(element, "gravity", "option").or(own.gravity);
             for (name, value) in element.attributes().filter(|(name, _)| *name != "gravity") {
-                let why = ATTRIBUTES.iter().find(|(names, _)| names.contains(&name)).map_or(OF_OTHERS, |(_, why)| why);
+                let why = ATTRIBUTES.iter().find(|(names, _)| names.contains(&name)).map_or(OF_OTHERS, |(_, why)| *why);
                 reading.ignore(element, format!("`{name}=\"{value}\"` of <option>"), why);
             }
             for flag in element.all("flag") {
@@ -68,14 +68,10 @@ impl Options {
     /// What the flags take out.
     fn take(&mut self, flag: &Element, reading: &mut Reading) {
         for (name, value) in flag.attributes() {
-            match (name, value) {
-                (_, "enable" | "disable") => {}
-                _ => {
-                    let value = value.to_owned();
-                    let defect = RobotDefect::Word { attribute: "flag", value, accepted: "enable or disable" };
-                    reading.refuse(flag, format!("flag `{name}`"), defect);
-                    continue;
-                }
+            if !["enable", "disable"].contains(&value) {
+                let (attribute, value, accepted) = ("flag", value.to_owned(), "enable or disable");
+                reading.refuse(flag, format!("flag `{name}`"), RobotDefect::Word { attribute, value, accepted });
+                continue;
             }
             match (name, value) {
                 ("contact", "disable") => self.contacts = Contacts::Off,
