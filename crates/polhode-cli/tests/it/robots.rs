@@ -68,8 +68,8 @@ fn drives() {
     }
     let run = place.expect(0, &["check", "servo-arm.xml", "--set", "models.0.keyframe=raised"]);
     for part in [
-        "servo-arm.xml:28:5: read: actuator `shoulder_servo`: <position> at joint `shoulder`, control -0.8: to -0.8 rad, \
-         stiffness 200 N m/rad, damping 12 N m s/rad, at most 60 N m\n",
+        "servo-arm.xml:26:5: read: actuator `shoulder_servo`: <position> at joint `shoulder`, control -0.8: to -0.8 \
+         rad, stiffness 200 N m/rad, damping 12 N m s/rad, at most 60 N m\n",
         "actuator `wrist_motor`: <motor> at joint `wrist`, control 0.02: 0.1 N m\n",
         "ignored: robot: `timestep=\"0.002\"` of <option>: ",
     ] {

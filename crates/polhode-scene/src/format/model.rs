@@ -25,8 +25,8 @@ pub struct ModelEntry {
     /// Values of joints at the start, rad or m, by their names; those of the file when absent, moved into the limits.
     #[serde(default)]
     pub configuration: BTreeMap<String, f64>,
-    /// Name of the keyframe of an MJCF file in which it starts: its coordinates, their rates, and controls of actuators;
-    /// what `configuration` and `controls` name comes before it.
+    /// Name of the keyframe of an MJCF file in which it starts: its coordinates, their rates, and controls of
+    /// actuators; what `configuration` and `controls` name comes before it.
     pub keyframe: Option<String>,
     /// Controls of actuators of an MJCF file, by their names; those of the keyframe, or 0, when absent.
     #[serde(default)]

@@ -286,8 +286,8 @@ pub struct Keyframe {
     pub name: String,
     /// Where it is given.
     pub place: RobotPlace,
-    /// Coordinates of the joints one after the other: pose of a free joint (m, quaternion w x y z), quaternion of a ball
-    /// joint, rad or m of others.
+    /// Coordinates of the joints one after the other: pose of a free joint (m, quaternion w x y z), quaternion of a
+    /// ball joint, rad or m of others.
     pub coordinates: Option<Vec<f64>>,
     /// Their rates: velocity along the axes of the model and angular velocity along those of the body of a free joint,
     /// angular velocity of a ball joint, rad/s or m/s of others.

@@ -1,9 +1,10 @@
 //! What drives the joints of robots: drives of the scene and actuators of MJCF.
 //!
 //! A pendulum with a position actuator is the damped oscillator of its closed form, rests under gravity where
-//! `kp (u - q) = m g l sin q`, and turns by a motor as `q'' = tau / I` says; a motor is bounded as its file or the scene
-//! says; a prescribed motion is followed exactly from velocities that fit it. Classes, gears and ranges of actuators
-//! mean what MuJoCo takes them for; keyframes put robots where they say. What is wrong with either is told at its line.
+//! `kp (u - q) = m g l sin q`, and turns by a motor as `q'' = tau / I` says; a motor is bounded as its file or the
+//! scene says; a prescribed motion is followed exactly from velocities that fit it. Classes, gears and ranges of
+//! actuators mean what MuJoCo takes them for; keyframes put robots where they say. What is wrong with either is told at
+//! its line.
 
 use crate::robots::{Folder, joint, link, shipped, urdf};
 use glam::DVec3;
@@ -319,8 +320,9 @@ fn keyframes() {
 fn keyframes_of_free_and_ball_joints() {
     let inertial = "<inertial pos=\"0.1 0 0\" mass=\"1\" diaginertia=\"1 1 1\"/>";
     let text = format!(
-        "<mujoco><worldbody><body name=\"a\"><freejoint name=\"float\"/>{inertial}<body name=\"b\" pos=\"0 0 1\"><joint \
-         type=\"ball\" name=\"neck\"/>{inertial}</body></body></worldbody>\n<keyframe><key name=\"k\" qpos=\"1 2 3 2 0 \
+        "<mujoco><worldbody><body name=\"a\"><freejoint name=\"float\"/>{inertial}<body name=\"b\" pos=\"0 0 1\">\
+         <joint type=\"ball\" name=\"neck\"/>{inertial}</body></body></worldbody>\n<keyframe><key name=\"k\" \
+         qpos=\"1 2 3 2 0 \
          0 2 0 1 0 0\" qvel=\"0 0 5 1 0 0 0 0 3\"/></keyframe></mujoco>"
     );
     let folder = Folder::new().with("r.xml", &text);
