@@ -1,8 +1,8 @@
 //! `<actuator>`: motors and servos of joints, in the affine form that they share.
 //!
 //! `<motor>`, `<position>`, `<velocity>` and `<damper>` are ways to write `<general>`, and share its defaults: the
-//! class of a `<position>` gives attributes to a `<general>` too, and later words replace earlier ones. Source:
-//! docs/REFERENCES.md, MJCF.
+//! class of a `<position>` gives attributes to a `<general>` too, and later words replace earlier ones. The numbers that
+//! a `<position>` made in a class hold for no `<velocity>`. Source: docs/REFERENCES.md, MJCF.
 
 use super::super::element::Element;
 use super::super::finding::RobotDefect;
@@ -22,6 +22,12 @@ const NOT_READ: [&str; 6] = ["intvelocity", "cylinder", "muscle", "adhesion", "p
 
 /// Attributes that one of the ways to write an actuator has, and `<general>` has not.
 const OWN: [&str; 5] = ["class", "kp", "kv", "dampratio", "timeconst"];
+
+/// Under which key a class keeps the way in which its numbers were written; no attribute has a space.
+const WAY: &str = "written as";
+
+/// Attributes that the ways to write an actuator make.
+const MADE: [&str; 7] = ["gaintype", "biastype", "gainprm", "biasprm", "dyntype", "dynprm", "dampratio"];
 
 /// What an actuator may act on, besides joints.
 const TRANSMISSIONS: [&str; 6] = ["tendon", "cranksite", "slidersite", "site", "body", "refsite"];
@@ -53,12 +59,21 @@ pub(super) fn is_actuator(name: &str) -> bool {
 /// The attributes of `<general>` that an element means, with those that it has from above.
 pub(super) fn general(element: &Element, above: Vec<(String, String)>) -> Vec<(String, String)> {
     let mut all = above;
+    // What another way to write an actuator made of the numbers in a class is not taken over.
+    let way = element.name.as_str();
+    if all.iter().any(|(key, own)| key == WAY && own != way && way != GENERAL) {
+        all.retain(|(key, _)| !MADE.contains(&key.as_str()));
+    }
+    all.retain(|(key, _)| key != WAY);
+    if way != GENERAL {
+        set(&mut all, WAY, way.to_owned());
+    }
     for (key, value) in element.attributes().filter(|(key, _)| !OWN.contains(key)) {
         set(&mut all, key, value.to_owned());
     }
     let first = |all: &[(String, String)]| word(all, "gainprm", 0).unwrap_or_else(|| "1".to_owned());
     let constant = |key: &str| element.attribute(key).map(|text| text.trim().to_owned());
-    match element.name.as_str() {
+    match way {
         "motor" => words(&mut all, ["fixed", "none", "1", "0 0 0"]),
         "position" => {
             let kp = constant("kp").unwrap_or_else(|| first(&all));
