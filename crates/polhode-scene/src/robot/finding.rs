@@ -587,7 +587,7 @@ impl RobotDefect {
             Self::OpenLoop(_) | Self::TurnedLoop(_) => "give a `configuration` in which it closes, or move its anchors",
             Self::UnknownOf { known, .. } => return format!("known: {known}"),
             Self::Range { .. } => "accepted: two numbers, the smaller one first",
-            Self::ActuatorLeftOut(_) => "`drives` of [[models]] drives joints by name",
+            Self::ActuatorLeftOut(_) => "hinges and sliders are driven by `drives` of [[models]]",
             Self::KeyLength { needed, each, .. } => return format!("accepted: {needed} numbers: {each}"),
             Self::Joints { .. } => "put a body with mass between them",
             _ => "",
