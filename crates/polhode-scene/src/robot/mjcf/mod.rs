@@ -16,6 +16,7 @@
 //! | `body` | the tree of bodies |
 //! | `equality` | what closes loops, and joints that follow others |
 //! | `actuator` | motors and servos |
+//! | `general` | what the ways to write them mean |
 //! | `keyframe` | states by name |
 //! | `option` | gravity, and what is left out of the rest |
 
@@ -26,6 +27,7 @@ mod compiler;
 mod defaults;
 mod equality;
 mod frame;
+mod general;
 mod geom;
 mod include;
 mod inertial;
