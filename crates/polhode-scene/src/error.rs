@@ -227,6 +227,9 @@ pub enum Refusal {
     /// A prescribed motion has no kind, or several.
     #[error("a motion is exactly one of the kinds")]
     MotionKinds,
+    /// A prescribed motion of a coordinate has no kind, or several.
+    #[error("a motion of a coordinate is exactly one of the kinds")]
+    CoordinateMotionKinds,
     /// A joint has no kind, or several.
     #[error("a joint is exactly one of the kinds")]
     JointKinds,
@@ -316,6 +319,14 @@ pub enum Refusal {
         key: &'static str,
         /// For what it has no meaning.
         what: &'static str,
+    },
+    /// Two patterns of names drive one joint.
+    #[error("joint `{joint}` is driven by `{other}` too: its own name decides")]
+    DrivenTwice {
+        /// The joint.
+        joint: String,
+        /// The other pattern.
+        other: String,
     },
     /// A body lacks a key.
     #[error("{what} needs {needed}")]
@@ -423,6 +434,7 @@ impl Refusal {
                 Kinds::Shapes => Self::ShapeKinds,
                 Kinds::Forces => Self::ForceKinds,
                 Kinds::Motions => Self::MotionKinds,
+                Kinds::CoordinateMotions => Self::CoordinateMotionKinds,
                 Kinds::Joints => Self::JointKinds,
                 Kinds::Layouts => Self::LayoutKinds,
                 Kinds::Curves => Self::CurveKinds,
@@ -452,6 +464,7 @@ impl Refusal {
             Self::ShapeKinds => Some(format!("accepted: one of {}", crate::format::SHAPES)),
             Self::ForceKinds => Some(format!("accepted: one of {}", crate::format::FORCES)),
             Self::MotionKinds => Some(format!("accepted: one of {}", crate::format::MOTIONS)),
+            Self::CoordinateMotionKinds => Some(format!("accepted: one of {}", crate::format::COORDINATE_MOTIONS)),
             Self::JointKinds => Some(format!("accepted: one of {}", crate::format::JOINTS)),
             Self::CurveKinds => Some(format!("accepted: one of {}", crate::format::CURVES)),
             Self::LayoutKinds => Some(format!("accepted: one of {}", crate::format::LAYOUTS)),
@@ -459,6 +472,7 @@ impl Refusal {
             Self::NotYetAvailable { instead, .. } => Some(format!("use {instead}")),
             Self::Excludes { .. } => Some("give one of them".to_owned()),
             Self::DuplicateName(_) => Some("names must differ".to_owned()),
+            Self::DrivenTwice { .. } => Some("name the joint itself in `drives`".to_owned()),
             Self::Repeated(_) | Self::Meaningless { .. } => Some("remove it".to_owned()),
             _ => None,
         }
@@ -471,6 +485,7 @@ enum Kinds {
     Shapes,
     Forces,
     Motions,
+    CoordinateMotions,
     Joints,
     Layouts,
     Curves,
@@ -481,6 +496,8 @@ impl Kinds {
         let steps = path.steps();
         if steps.first() == Some(&Step::key("forces")) {
             Self::Forces
+        } else if steps.first() != Some(&Step::key("bodies")) && steps.last() == Some(&Step::key("motion")) {
+            Self::CoordinateMotions
         } else if steps.first() == Some(&Step::key("joints")) {
             Self::Joints
         } else if steps.first() == Some(&Step::key("tracks")) {
@@ -515,6 +532,7 @@ fn plain(text: &str, kinds: Kinds) -> String {
                 "a curve with its keys, such as curve.circle = { center = [0, 0, 0], axis = [0, 1, 0], \
                 radius = 1 }"
             }
+            Kinds::CoordinateMotions => "a motion with its keys, such as motion.rate = 1.0",
             Kinds::Motions => "a motion with its keys, such as motion.constant.velocity = [1, 0, 0]",
         }
         .to_owned(),

@@ -49,7 +49,7 @@ from ._polhode import (
     StepOutcome,
     __version__,
 )
-from ._robot import Robot, RobotCoordinate, RobotJoint, RobotLink
+from ._robot import Robot, RobotActuator, RobotCoordinate, RobotJoint, RobotLink
 from ._run import Energies, Joints, JointTrack, Run, Track, run
 from ._scene import Body, JointHandle, Scene
 from ._shapes import Box, Capsule, Compound, Cone, Convex, Cylinder, HalfSpace, Mesh, Points, Shape, Sphere, Torus
@@ -124,6 +124,7 @@ __all__ = [
     "RestFace",
     "RestPoses",
     "Robot",
+    "RobotActuator",
     "RobotCoordinate",
     "RobotJoint",
     "RobotLink",

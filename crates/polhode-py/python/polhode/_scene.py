@@ -209,7 +209,8 @@ class Scene:
         return name
 
     def robot(self, file: str | os.PathLike[str], *, at: Vector = (0, 0, 0), **keys: Any) -> None:
-        """A robot from its file (URDF, MJCF); keys are those of ``models`` in a scene file."""
+        """A robot from its file (URDF, MJCF); keys are those of ``models`` in a scene file: ``drives`` of its joints,
+        ``keyframe`` and ``controls`` of an MJCF file, and others."""
         self._list("models").append({"file": os.fspath(file), "position": at, **keys})
 
     def track(self, name: str, curve: Mapping[str, Any], **keys: Any) -> str:

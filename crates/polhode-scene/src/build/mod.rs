@@ -9,6 +9,7 @@
 //! | `array` | many equal bodies |
 //! | `bodies` | bodies by name, for what refers to them |
 //! | `body` | a body: its pose, motion, shape and mass |
+//! | `drives` | what drives the joints of a robot |
 //! | `fault` | what is refused and at which key; checks of numbers |
 //! | `force` | forces |
 //! | `gear` | gears, and joints by name |
@@ -35,6 +36,7 @@ mod array;
 mod bodies;
 mod body;
 mod coordinate_motion;
+mod drives;
 mod fault;
 mod force;
 mod gear;

@@ -57,7 +57,7 @@ pub use force::{
 };
 pub use friction::{FrictionEntry, GrainEntry, NumberOr, StaticFrictionEntry, StaticGrainEntry};
 pub use integrator::IntegratorName;
-pub(crate) use joint::JOINTS;
+pub(crate) use joint::{COORDINATE_MOTIONS, JOINTS};
 pub use joint::{
     CoordinateMotionEntry, CoordinateName, CoordinateSineEntry, CoordinateTableEntry, CylindricalEntry, FreedomEntry,
     GearEntry, HingeEntry, JointEntry, JointFrictionEntry, JointKindEntry, MotorEntry, PlanarJointEntry,
@@ -67,7 +67,7 @@ pub use method::{
     ContactName, CoordinatesName, CrowdingName, ErrorEstimationName, ImpactName, MethodEntry, OrientationName,
     PropagationOrderName, PulseExponentName, ResponseName, RestitutionLawName, RotationRateName,
 };
-pub use model::{BaseName, ModelEntry, UnphysicalName};
+pub use model::{BaseName, DriveEntry, ModelEntry, UnphysicalName};
 pub use motion::{ConstantMotionEntry, InterpolationEntry, MotionEntry, SineMotionEntry, TableMotionEntry};
 pub use penalty::{PenaltyEntry, SpringDampingName, SpringFrictionName, SpringLawName};
 pub use promise::PromiseEntry;
