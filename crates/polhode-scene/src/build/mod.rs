@@ -28,6 +28,7 @@
 //! | `signal` | signals, which forces are multiplied by |
 //! | `spring` | springs |
 //! | `track` | tracks, and the joints that hold bodies to them |
+//! | `uncertain` | what of a scene is uncertain |
 //! | `joint` | joints |
 
 mod approximate;
@@ -54,6 +55,8 @@ mod shape;
 mod signal;
 mod spring;
 mod track;
+mod uncertain;
 
 pub(crate) use model::PlacedRobot;
 pub(crate) use scene::{Built, path_of, scene};
+pub(crate) use uncertain::build as uncertain;
