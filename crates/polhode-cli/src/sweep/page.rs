@@ -135,7 +135,7 @@ fn histogram(own: &OfMeasure) -> String {
     for (part, mark) in up.marks(5) {
         let y = bottom - (bottom - top) * part;
         svg.line(&[[left, y], [right, y]], Stroke::new(Ink::Grid, 1.0));
-        svg.text([left - 6.0, y + 4.0], &label(&mark), small.anchor(Anchor::End));
+        svg.text([left - 6.0, y], &label(&mark), small.anchor(Anchor::End));
     }
     for (number, count) in counts.iter().enumerate() {
         let [low, high] = [number, number + 1].map(|edge| band.least + width * edge as f64);
@@ -149,10 +149,10 @@ fn histogram(own: &OfMeasure) -> String {
     for (part, mark) in across.marks(6) {
         let x = left + (right - left) * part;
         svg.line(&[[x, bottom], [x, bottom + 4.0]], Stroke::new(Ink::Faint, 1.0));
-        svg.text([x, bottom + 17.0], &label(&mark), small.anchor(Anchor::Middle));
+        svg.text([x, bottom + 13.0], &label(&mark), small.anchor(Anchor::Middle));
     }
     let said = "runs in each range; dashes: 5, 50 and 95 %";
-    svg.text([0.5 * (left + right), SIZE[1] - 6.0], said, small.anchor(Anchor::Middle));
+    svg.text([0.5 * (left + right), SIZE[1] - 9.0], said, small.anchor(Anchor::Middle));
     svg.finish()
 }
 

@@ -1,7 +1,7 @@
 //! A measure over many runs: mean, standard deviation and quantiles, and the shares of outcomes.
 
 /// Shares of runs whose quantiles are told.
-pub const QUANTILES: [f64; 3] = [0.05, 0.5, 0.95];
+const QUANTILES: [f64; 3] = [0.05, 0.5, 0.95];
 
 /// A measure over all runs that have it.
 #[derive(Debug, Clone, Copy, PartialEq)]

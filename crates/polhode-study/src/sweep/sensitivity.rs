@@ -205,7 +205,11 @@ pub(super) fn derivative(own: &Varied, steps: &[[[f64; 2]; 2]; STEPS]) -> Option
     let value = (16.0 * fine - coarse) / 15.0;
     let middle = drawn.at(0.5).parse().ok()?;
     let by_deviation = value * drawn.deviation()?;
-    (!value.is_nan()).then(|| Derivative { value, error: (value - fine).abs(), middle, by_deviation })
+    // What the last bits of the measure are by the smallest step.
+    let [[low, f_low], [high, f_high]] = steps[STEPS - 1];
+    let rounding = f64::EPSILON * f_low.abs().max(f_high.abs()) / (high - low);
+    let error = (value - fine).abs() + rounding;
+    (!value.is_nan()).then(|| Derivative { value, error, middle, by_deviation })
 }
 
 impl Values {
