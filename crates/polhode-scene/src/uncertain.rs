@@ -1,8 +1,8 @@
 //! What of a scene is uncertain, beside the scene: a run does not know of it, a sweep draws it.
 //!
 //! A body whose pose is uncertain is moved by a vector `s`, m, and turned by a rotation vector `r`, rad, both along the
-//! axes of the world: its origin is at `p + s`, and its rotation is `exp(r) R`. Components of `s` and `r` are normal and
-//! independent.
+//! axes of the world: its origin is at `p + s`, and its rotation is `exp(r) R`. Components of `s` and `r` are normal
+//! and independent.
 
 use crate::document::Override;
 use glam::DVec3;

@@ -34,8 +34,8 @@ pub(super) struct Made<'a> {
 pub(super) fn page(sweep: &Sweep, findings: &Findings, made: &Made<'_>) -> String {
     let title = escaped(&format!("sweep of {}", made.scene));
     let mut page = format!(
-        "<!DOCTYPE html>\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n<title>{title}</title>\n<style>{STYLE}</style>\n\
-         <h1>{title}</h1>\n"
+        "<!DOCTYPE html>\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n<title>{title}</title>\n\
+         <style>{STYLE}</style>\n<h1>{title}</h1>\n"
     );
     origin(&mut page, sweep, findings, made);
     page.push_str("<h2>What was varied</h2>\n");

@@ -137,14 +137,14 @@ fn indices_of_a_sliding_block_are_the_closed_form() {
 #[test]
 fn mixed_draws_find_the_same_and_a_cut_table_goes_on() {
     let place = Place::with_scene(&fly(&format!("{THROW}{FALL}")));
-    let args = flown(&["--random", "200", "--sensitivities", "saltelli", "--json", "-o", "table.csv"]);
+    let args = flown(&["--random", "60", "--sensitivities", "saltelli", "--json", "-o", "table.csv"]);
     let found = place.expect(0, &args).json();
     // Shares of the variances 0.3^2 and (1/2)^2 / 12 of a sum: first-order and total are the same.
     let exact = 0.09 / (0.09 + 0.25 / 12.0);
     let own = hangs_on(&found, "bodies.box.velocity[2]");
     for index in ["first", "total"] {
         let (value, error) = (number(&own[index]["value"]), number(&own[index]["error"]));
-        assert!((value - exact).abs() < 4.0 * error && error < 0.2, "{index}: {value} {exact} +- {error}");
+        assert!((value - exact).abs() < 4.0 * error && error < 0.4, "{index}: {value} {exact} +- {error}");
     }
     let whole = place.read("table.csv");
     assert!(whole.lines().nth(1).unwrap().starts_with("run,part,bodies.box.velocity[2],gravity[2],outcome"));

@@ -147,8 +147,8 @@ fn of_poses<'a>(
     }
     let given = entry.position_deviation.is_some() || entry.rotation_deviation.is_some();
     if bodies.is_empty() || !given {
-        let why = "uncertain poses are of at least one body, and have `position_deviation`, m, or `rotation_deviation`, \
-                   rad, or both";
+        let why = "uncertain poses are of at least one body, and have `position_deviation`, m, or \
+                   `rotation_deviation`, rad, or both";
         return Err((path.clone(), Refusal::Other(why.to_owned())));
     }
     let of_axes = |axes: Option<AxesEntry>, path: KeyPath| {

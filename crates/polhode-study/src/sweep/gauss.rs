@@ -3,8 +3,8 @@
 //! Nodes of `n` points are the roots of the orthonormal polynomial `p_n`, with
 //! `x p_k = b_(k+1) p_(k+1) + b_k p_(k-1)`; `b_k = sqrt(k)` for the normal distribution (Hermite) and
 //! `b_k = k / sqrt(4 k^2 - 1)` for the even one on [-1, 1] (Legendre). The weight of a node is
-//! `1 / sum_(k < n) p_k(x)^2` (Christoffel). Roots of `p_n` lie between those of `p_(n-1)`, so that bisection finds them
-//! to the last bit. (Gautschi 2004, sections 1.2 and 1.4.)
+//! `1 / sum_(k < n) p_k(x)^2` (Christoffel). Roots of `p_n` lie between those of `p_(n-1)`, so that bisection finds
+//! them to the last bit (Gautschi 2004, sections 1.2 and 1.4).
 
 /// Which probability is integrated.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
