@@ -86,7 +86,8 @@ mod tests {
     fn a_band_of_a_few_numbers() {
         let band = Band::of(&[4.0, 1.0, f64::NAN, 3.0, 2.0]).unwrap();
         assert_eq!((band.count, band.mean, band.least, band.most), (4, 2.5, 1.0, 4.0));
-        assert_eq!(band.quantiles, [1.15, 2.5, 3.85]);
+        let off = band.quantiles.iter().zip([1.15, 2.5, 3.85]).map(|(own, exact)| (own - exact).abs());
+        assert!(off.fold(0.0, f64::max) < 1e-15, "{:?}", band.quantiles);
         assert!((band.deviation.unwrap() - (5.0_f64 / 3.0).sqrt()).abs() < 1e-15);
         assert_eq!(Band::of(&[f64::NAN]), None);
         assert_eq!(Band::of(&[1.0]).unwrap().deviation, None);
