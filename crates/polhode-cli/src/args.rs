@@ -5,6 +5,7 @@ use crate::help;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use polhode::ErrorEstimation;
 use polhode_study::Threads;
+use polhode_study::sweep::Sensitivities;
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
 
@@ -212,9 +213,13 @@ pub(crate) struct SweepArgs {
     pub(crate) scene: SceneArgs,
     /// Varies a key of the scene: values (0.1,0.2), a range with their number (0.1..0.8:8), or what is drawn from
     /// (0.1..0.8, normal(0.4, 0.1), lognormal(0.4, 0.1), uniform(0.1, 0.8), choice(newton, poisson)); several keys give
-    /// all combinations
-    #[arg(long, value_name = "KEY=VALUES", required = true, allow_hyphen_values = true)]
+    /// all combinations. Without it the [[uncertain]] values of the scene are drawn
+    #[arg(long, value_name = "KEY=VALUES", allow_hyphen_values = true)]
     pub(crate) vary: Vec<String>,
+    /// How it is found what measures hang on, of uncertain values [default: by nodes where they are few, else by mixed
+    /// draws]
+    #[arg(long, value_enum, conflicts_with = "vary")]
+    pub(crate) sensitivities: Option<SensitivitiesArg>,
     /// Draws of each combination, where a key is drawn
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
     pub(crate) random: Option<u64>,
@@ -225,7 +230,8 @@ pub(crate) struct SweepArgs {
     /// energy.kinetic, count(events.impact), sum(impulse); NAME=... names the column
     #[arg(long, value_name = "EXPR")]
     pub(crate) measure: Vec<String>,
-    /// Writes the table as CSV, row by row; a file that was cut off is gone on with [default: to stdout]
+    /// Writes the table: .csv, row by row, gone on with where it was cut off; .parquet, whose rows are kept in a CSV
+    /// beside it until all are there [default: CSV to stdout]
     #[arg(short, long, value_name = "FILE")]
     pub(crate) output: Option<PathBuf>,
     /// Computes one of N equal shards, into a file beside the table (table.2-of-8.csv); without --shard the same
@@ -235,6 +241,37 @@ pub(crate) struct SweepArgs {
     /// Runs at a time; the table is the same for any number [default: as many as the machine has processors]
     #[arg(long, value_name = "N", default_value_t = Threads::of_machine().0, hide_default_value = true)]
     pub(crate) workers: NonZeroUsize,
+    /// Writes a page that says all of the sweep: inputs, method, versions, seed, hash of the table, distributions, what
+    /// measures hang on; the same command gives the same bytes
+    #[arg(long, value_name = "FILE", conflicts_with = "shard")]
+    pub(crate) report: Option<PathBuf>,
+    /// Prints what was found as JSON instead of text
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+/// How it is found what measures hang on.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum SensitivitiesArg {
+    /// By a grid of Gauss's nodes: few values, smooth answers
+    Gauss,
+    /// By mixed draws, with standard errors: many values, any answers
+    Saltelli,
+    /// Derivatives alone
+    Local,
+    /// Not at all
+    Off,
+}
+
+impl From<SensitivitiesArg> for Sensitivities {
+    fn from(own: SensitivitiesArg) -> Self {
+        match own {
+            SensitivitiesArg::Gauss => Self::Gauss,
+            SensitivitiesArg::Saltelli => Self::Saltelli,
+            SensitivitiesArg::Local => Self::Local,
+            SensitivitiesArg::Off => Self::Off,
+        }
+    }
 }
 
 /// A shard, as 2/8.

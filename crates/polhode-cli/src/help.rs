@@ -31,7 +31,10 @@ pub(crate) const SWEEP: &str = "\
 Examples:
   polhode sweep scene.toml --vary bodies.brick.mass=1..2:8 --measure 'bodies.brick.position[2]@end' -o table.csv
   polhode sweep scene.toml --vary 'bodies.brick.mass=normal(1, 0.05)' --random 20 --measure 'max(bodies.brick.velocity)'
-  polhode sweep scene.toml --vary bodies.brick.mass=1..2:40 -o all.csv --shard 2/8";
+  polhode sweep scene.toml --vary bodies.brick.mass=1..2:40 -o all.csv --shard 2/8
+  polhode sweep scene.toml --vary bodies.brick.mass=1..2 --random 20 --json --report page.html
+
+A scene with [[uncertain]] values is drawn without --vary: polhode sweep scene.toml --random 100 -o table.csv";
 
 pub(crate) const STANDS: &str = "\
 Examples:

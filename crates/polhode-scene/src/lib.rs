@@ -16,6 +16,7 @@
 //! | [`shown`] | what pages and plots say of a run |
 //! | [`mesh_file`], [`mesh_report`] | mesh files; diagnosis and mass properties |
 //! | [`names`] | words for methods |
+//! | [`uncertain`] | what of a scene is uncertain, which a sweep draws |
 //! | `build` | from the format to the engine's scene |
 //! | `document` | a scene file that knows where each of its values stands |
 //! | `robot` | robots from URDF and MJCF files |
@@ -73,6 +74,7 @@ pub mod robot;
 pub mod schema;
 pub mod shown;
 pub mod trajectory;
+pub mod uncertain;
 
 mod boxes;
 mod build;
@@ -98,6 +100,7 @@ pub use report::{
 pub use schema::schema;
 pub use shown::{ended_line, methods_line, page_report_json, shown_failure, shown_outcome};
 pub use trajectory::{FilePlace, TRAJECTORY_ENDINGS, TrajectoryError, TrajectoryReader, is_trajectory};
+pub use uncertain::{Draw, Spread, StartPose, Uncertain};
 
 // The program in the README is compiled and run as a test.
 #[cfg(doctest)]

@@ -23,6 +23,7 @@ mod run;
 mod second_opinion;
 mod stands;
 mod sweep;
+mod uncertain;
 mod usage;
 mod view;
 mod view_bad_input;

@@ -29,6 +29,7 @@
 //! | `signal` | signals, which forces are multiplied by |
 //! | `spring` | springs |
 //! | `track` | tracks, and the joints that hold bodies to them |
+//! | `uncertain` | what of a scene is uncertain |
 //! | `joint` | joints |
 
 mod approximate;
@@ -56,6 +57,8 @@ mod shape;
 mod signal;
 mod spring;
 mod track;
+mod uncertain;
 
 pub(crate) use model::PlacedRobot;
 pub(crate) use scene::{Built, path_of, scene};
+pub(crate) use uncertain::build as uncertain;

@@ -23,6 +23,7 @@
 //! | `planned` | members that are designed but not built, refused as `not yet available` |
 //! | `promise` | what a run promises, where a scene sets other limits than its tier |
 //! | `track` | tracks that joints hold bodies to |
+//! | `uncertain` | [`UncertainEntry`]: what a sweep draws |
 
 mod array;
 mod body;
@@ -42,6 +43,7 @@ mod scene;
 mod signal;
 mod tier;
 mod track;
+mod uncertain;
 
 pub(crate) use array::LAYOUTS;
 pub use array::{ArrayEntry, DropEntry, GridEntry, LayoutEntry, PyramidEntry, WallEntry};
@@ -79,6 +81,8 @@ pub use track::{
     BendEntry, CircleEntry, CurveEntry, CycloidEntry, FollowsName, HelixEntry, LineEntry, PathEntry, PolynomialEntry,
     SplineEntry, TrackEndsName, TrackEntry, TrackSpringsEntry, WaveEntry,
 };
+pub(crate) use uncertain::SPREADS;
+pub use uncertain::{AxesEntry, ChoiceEntry, DrawName, LimitsEntry, LogNormalEntry, NormalEntry, UncertainEntry};
 
 /// Version of the format that this crate reads.
 pub const VERSION: u32 = 1;

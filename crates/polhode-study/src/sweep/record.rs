@@ -41,10 +41,15 @@ impl Sweep {
         self.columns().iter().map(|column| quoted(column)).collect::<Vec<_>>().join(",")
     }
 
+    /// The first two lines of its file.
+    pub(super) fn head(&self, digest: &str) -> String {
+        format!("{MARK}{digest}\n{}\n", self.columns_line())
+    }
+
     /// The row of a line of this sweep.
     fn row_of(&self, line: &str) -> Option<Row> {
         let cells = cells(line.strip_suffix('\n').unwrap_or(line));
-        let (keys, measures) = (self.varied.len(), self.measures.len());
+        let (keys, measures) = (self.leading(), self.measures.len());
         let (run, rest) = cells.split_first()?;
         if rest.len() != keys + measures + 3 {
             return None;
@@ -86,7 +91,7 @@ impl Record {
         has: impl FnMut(&Row),
     ) -> Result<Self, SweepError> {
         let fault = |source| SweepError::File { path: path.display().to_string(), source };
-        let head = head(sweep, digest);
+        let head = sweep.head(digest);
         let mut file = OpenOptions::new().read(true).append(true).create(true).open(path).map_err(fault)?;
         let mut bytes = Vec::new();
         file.read_to_end(&mut bytes).map_err(fault)?;
@@ -135,7 +140,7 @@ impl Record {
     ) -> Result<(), SweepError> {
         let bytes = fs::read(shard).map_err(|source| SweepError::File { path: shard.display().to_string(), source })?;
         let text = String::from_utf8_lossy(&bytes);
-        let lines = lines_of(shard, &text, &head(sweep, digest))?;
+        let lines = lines_of(shard, &text, &sweep.head(digest))?;
         for row in rows_of(shard, sweep, &lines, runs)? {
             if row.run == self.next {
                 self.append(&row)?;
@@ -173,11 +178,6 @@ pub fn shards_of(path: &Path) -> Vec<[u64; 2]> {
     let mut all: Vec<[u64; 2]> = names.filter_map(shard).collect();
     all.sort_by(|[a, of_a], [b, of_b]| (u128::from(*a) * u128::from(*of_b)).cmp(&(u128::from(*b) * u128::from(*of_a))));
     all
-}
-
-/// The first two lines of a file.
-fn head(sweep: &Sweep, digest: &str) -> String {
-    format!("{MARK}{digest}\n{}\n", sweep.columns_line())
 }
 
 /// The whole lines of a text behind its head, with their ends.

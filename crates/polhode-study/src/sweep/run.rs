@@ -5,6 +5,7 @@ use super::measure::Measured;
 use super::plan::Sweep;
 use super::scene::{IsStopped, SweepScene};
 use crate::threads::in_order;
+use super::uncertain::reason_of;
 use polhode::{BodySample, Energy, Event, Flow, JointSample, Observer, RunReport, Simulation};
 use polhode_scene::names;
 use std::num::NonZeroUsize;
@@ -15,7 +16,7 @@ use std::ops::Range;
 pub struct Row {
     /// Its number.
     pub run: u64,
-    /// Its values, as a scene has them.
+    /// In a sweep of what is uncertain what it is for; its values, as a scene has them.
     pub values: Vec<String>,
     /// How it ended.
     pub outcome: String,
@@ -53,15 +54,12 @@ impl Sweep {
     fn row(&self, scene: &SweepScene<'_>, run: u64) -> Option<Row> {
         let nothing = vec![f64::NAN; self.measures.len()];
         let failed = |reason: &str| {
-            let (values, reason) = (self.values(run), on_one_line(reason));
+            let (values, reason) = (self.leading_cells(run), on_one_line(reason));
             Row { run, values, outcome: "failed".to_owned(), error: f64::NAN, measured: nothing.clone(), reason }
         };
         let loaded = match scene.loaded(&self.changes(run)) {
             Ok(loaded) => loaded,
-            Err(error) => {
-                let refused = error.refused().map(|refused| refused.cause.to_string());
-                return Some(failed(&refused.unwrap_or_else(|| error.to_string())));
-            }
+            Err(error) => return Some(failed(&reason_of(&error))),
         };
         let measured = match self.measured_of(&loaded) {
             Ok(measured) => measured,
@@ -86,7 +84,7 @@ impl Sweep {
         };
         Row {
             run,
-            values: self.values(run),
+            values: self.leading_cells(run),
             outcome: names::outcome(report.outcome).to_owned(),
             error: report.error.relative().unwrap_or(f64::NAN),
             measured: measured.iter().map(Measured::value).collect(),
