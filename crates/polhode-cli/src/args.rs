@@ -51,6 +51,9 @@ pub(crate) enum Command {
     /// Says whether bodies stand, how firmly, what moves first, and what each contact carries
     #[command(after_help = help::STANDS)]
     Stands(StandsArgs),
+    /// Judges a trajectory of any engine by the laws of a scene; exit code 1 where it breaks one
+    #[command(after_help = help::JUDGE)]
+    Judge(JudgeArgs),
     /// Validates a scene
     #[command(after_help = help::CHECK)]
     Check(CheckArgs),
@@ -187,6 +190,28 @@ pub(crate) struct StandsArgs {
     /// Says what each contact carries
     #[arg(long)]
     pub(crate) contacts: bool,
+    /// Prints everything as JSON
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+/// Arguments of `judge`.
+#[derive(Debug, Args)]
+pub(crate) struct JudgeArgs {
+    /// A trajectory of all bodies of the scene (.csv, .npy, .json, as `polhode run -o` writes them); columns of
+    /// velocities may be left out
+    pub(crate) trajectory: PathBuf,
+    #[command(flatten)]
+    pub(crate) scene: SceneArgs,
+    /// What counts as nothing, of sizes, speeds and energies
+    #[arg(long, value_name = "PART", default_value_t = 1e-9, allow_negative_numbers = true)]
+    pub(crate) tolerance: f64,
+    /// Leaves out the distance from a run of tier accurate, which takes its time
+    #[arg(long)]
+    pub(crate) no_truth: bool,
+    /// Draws what is found over time (.svg)
+    #[arg(short, long, value_name = "FILE")]
+    pub(crate) output: Option<PathBuf>,
     /// Prints everything as JSON
     #[arg(long)]
     pub(crate) json: bool,

@@ -39,6 +39,12 @@ Examples:
   polhode stands example:masonry-arch --contacts
   polhode stands example:overhang-stack || echo \"it does not stand\"";
 
+pub(crate) const JUDGE: &str = "\
+Examples:
+  polhode judge motion.csv scene.toml
+  polhode judge motion.csv scene.toml --no-truth -o judged.svg
+  polhode judge motion.csv scene.toml --tolerance 1e-6 --json";
+
 pub(crate) const CHECK: &str = "\
 Examples:
   polhode check scene.toml

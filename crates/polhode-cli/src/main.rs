@@ -31,6 +31,7 @@
 //! | `cost` | the command that sets error against computing time |
 //! | `sweep` | the command that runs a scene many times with other values |
 //! | `stands` | the command that says whether bodies stand |
+//! | `judge` | the command that judges a trajectory by the laws of a scene |
 //! | `scene` | loading the scene that a command names |
 //! | `text` | numbers, tables and reports for people |
 //! | `stdout`, `harmless` | writing results; text that does not steer a terminal |
@@ -70,6 +71,7 @@ mod heading;
 mod help;
 mod inputs;
 mod interrupt;
+mod judge;
 mod meant;
 mod mesh;
 mod pictures;
@@ -126,6 +128,7 @@ fn called(command: &Command, interrupt: &Interrupt) -> Result<(), Failure> {
         Command::Cost(args) => cost::cost(args, interrupt),
         Command::Sweep(args) => sweep::sweep(args, interrupt),
         Command::Stands(args) => stands::stands(args),
+        Command::Judge(args) => judge::judge(args),
         Command::Check(args) => check::check(args),
         Command::Mesh(args) => mesh::mesh(args),
         Command::Elastic(args) => elastic::elastic(args),

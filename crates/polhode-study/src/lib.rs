@@ -24,6 +24,7 @@
 //! | [`study`] | all of it together |
 //! | [`json`] | the same as one JSON object |
 //! | [`sweep`] | many runs with other values, and what is measured of each |
+//! | [`mod@judge`] | a trajectory of any engine, judged by the laws of a scene |
 //! | [`error`] | [`StudyError`] |
 
 pub mod candidate;
@@ -31,6 +32,7 @@ pub mod difference;
 pub mod error;
 pub mod host;
 pub mod json;
+pub mod judge;
 pub mod ladder;
 pub mod law;
 pub mod options;

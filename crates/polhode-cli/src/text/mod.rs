@@ -8,9 +8,11 @@
 //! | `mesh`, `mesh_studies` | a mesh; reference points and Monte Carlo estimates |
 //! | `comparison` | two trajectories |
 //! | `stands` | whether bodies stand |
+//! | `judge` | what is found of a trajectory |
 //! | `sweep` | what the runs of a sweep say together |
 
 mod comparison;
+pub(crate) mod judge;
 mod mesh;
 mod mesh_studies;
 mod report;

@@ -13,10 +13,12 @@
 use crate::collision::boxes::Boxes;
 use crate::collision::contact_kinematics::tangential_kinematics;
 use crate::collision::contact_set;
+use crate::collision::touch::FoundContact;
 use crate::constraint::ConstraintId;
-use crate::constraint::row::BilateralRow;
+use crate::constraint::row::{BilateralRow, Member};
 use crate::error::SimulationError;
 use crate::identity::body_id::BodyId;
+use crate::identity::contact_id::Feature;
 use crate::identity::joint_id::JointId;
 use crate::joints::bilateral::Bilateral;
 use crate::joints::held;
@@ -254,15 +256,16 @@ impl Evaluation {
         Ok(found.collect())
     }
 
-    fn near_point(&self, found: &crate::collision::touch::FoundContact) -> NearPoint {
+    fn near_point(&self, found: &FoundContact) -> NearPoint {
         let geometry = found.kinematics.geometry;
-        let slip = tangential_kinematics(&self.model, &self.states, found.id).map(|terms| terms.slip_velocity);
+        let is_contact = matches!(found.id.feature, Feature::Shapes(_));
+        let slip = || Some(tangential_kinematics(&self.model, &self.states, found.id)?.slip_velocity);
         NearPoint {
             point_m: geometry.point,
             normal: geometry.normal,
             separation_m: geometry.separation,
             rate_m_s: found.kinematics.separation_rate,
-            slip_m_s: slip,
+            slip_m_s: if is_contact { slip() } else { None },
         }
     }
 
@@ -283,7 +286,7 @@ impl Evaluation {
             let (apart_m, turned_rad) = error_of(&own);
             let (a, b) = own.id.bodies();
             let entries = |row: &BilateralRow| {
-                let of = |member: &crate::constraint::row::Member| {
+                let of = |member: &Member| {
                     let (force, moment) = row.entries(member);
                     (BodyId::new(member.body), force, moment)
                 };
