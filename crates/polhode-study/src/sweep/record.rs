@@ -70,7 +70,7 @@ impl Row {
         let numbers = std::iter::once(self.error).chain(self.measured.iter().copied()).map(digits);
         let cells = [self.run.to_string()].into_iter().chain(self.values.iter().cloned()).chain([self.outcome.clone()]);
         let all = cells.chain(numbers).chain([self.reason.clone()]);
-        all.map(|cell| quoted(&cell)).collect::<Vec<_>>().join(",")
+        all.map(|cell| quoted(&cell).into_owned()).collect::<Vec<_>>().join(",")
     }
 }
 
