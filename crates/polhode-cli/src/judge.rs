@@ -9,8 +9,8 @@ use crate::progress::Progress;
 use crate::scene::{self, SceneText};
 use crate::stdout;
 use crate::text::judge::{page, picture};
-use polhode_scene::{AtomicFile, LoadedScene, Override, TrajectoryError, is_trajectory, names};
-use polhode_study::judge::{Given, JudgeError, Judgement, Question, judge as judged};
+use polhode_scene::{AtomicFile, LoadedScene, TrajectoryError, is_trajectory};
+use polhode_study::judge::{Given, JudgeError, Judgement, Question, judge as judged, truth_of};
 use std::io::Write as _;
 use std::path::Path;
 
@@ -29,7 +29,7 @@ pub(crate) fn judge(args: &JudgeArgs) -> Result<(), Failure> {
         Some(output) => Some(opened(output, &loaded, path)?),
     };
     let given = Given::read(path, &loaded.scene)?;
-    let truth = if args.no_truth { None } else { Some(text.load(&of_truth(&loaded, changes))?) };
+    let truth = if args.no_truth { None } else { Some(text.load(&[changes, vec![truth_of(&loaded.scene)]].concat())?) };
     let question = Question { tolerance: args.tolerance, truth: truth.as_ref().map(|own| &own.scene) };
     let judgement = judged(&given, &loaded.scene, question)?;
     if let Some(file) = &mut file {
@@ -43,14 +43,6 @@ pub(crate) fn judge(args: &JudgeArgs) -> Result<(), Failure> {
     }
     // What is broken has been printed.
     if judgement.is_kept() { Ok(()) } else { Err(Failure::Check(String::new())) }
-}
-
-/// The scene by the most accurate methods, with the impact law that it names: the truth.
-fn of_truth(loaded: &LoadedScene, mut changes: Vec<Override>) -> Vec<Override> {
-    let impact = loaded.scene.method().impact;
-    let law = impact.map_or_else(String::new, |law| format!(", impact = \"{}\"", names::impact(law)));
-    changes.push(Override::new("judge", "method", &format!("{{ tier = \"accurate\"{law} }}")));
-    changes
 }
 
 /// The file of the picture.

@@ -146,7 +146,10 @@ fn other_units_orders_and_bodies_are_refused_with_what_is_accepted() {
         (standing((0..5).map(|_| 100.0)), "lengths look like millimetres"),
         (whole.replace("0.1,1,0,0,0,", "0.1,0,0,0,1,"), "scalar came last"),
         (whole.replace("box", "crate"), "no body `crate`"),
-        (whole.lines().filter(|line| !line.contains("floor")).fold(String::new(), |all, line| all + line + "\n"), "missing"),
+        (
+            whole.lines().filter(|line| !line.contains("floor")).fold(String::new(), |all, line| all + line + "\n"),
+            "missing",
+        ),
         (whole.replace("0.02,", "0.005,"), "times must be finite and ascend"),
         (whole.replace("0,0,0.1,", "0,0,nan,"), "must be finite"),
         (String::new(), "the file is empty"),
@@ -167,8 +170,11 @@ fn other_units_orders_and_bodies_are_refused_with_what_is_accepted() {
 #[test]
 fn a_gap_is_told() {
     let place = Place::with_scene(BOX);
-    let text: Vec<String> =
-        standing((0..11).map(|_| 0.1)).lines().filter(|line| !["0.04,", "0.05,"].iter().any(|t| line.starts_with(t))).map(str::to_owned).collect();
+    let text: Vec<String> = standing((0..11).map(|_| 0.1))
+        .lines()
+        .filter(|line| !["0.04,", "0.05,"].iter().any(|t| line.starts_with(t)))
+        .map(str::to_owned)
+        .collect();
     place.write("gap.csv", &format!("{}\n", text.join("\n")));
     let run = place.expect(0, &["judge", "gap.csv", "scene.toml"]);
     assert!(run.stdout.contains("gaps: 1 intervals"), "{}", run.stdout);

@@ -46,4 +46,4 @@ pub use error::JudgeError;
 pub use given::{Given, VelocitySource};
 pub use judgement::{Judgement, Question, judge};
 pub use law::{Finding, Law};
-pub use truth::{Truth, TruthAt};
+pub use truth::{Truth, TruthAt, truth_of};

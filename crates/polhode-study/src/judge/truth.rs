@@ -2,6 +2,14 @@
 
 use super::given::Given;
 use polhode::{ErrorEstimation, Scene, Simulation};
+use polhode_scene::{Override, names};
+
+/// The change that makes a scene its truth: the most accurate methods, with the impact law that it names.
+pub fn truth_of(scene: &Scene) -> Override {
+    let impact = scene.method().impact;
+    let law = impact.map_or_else(String::new, |law| format!(", impact = \"{}\"", names::impact(law)));
+    Override::new("judge", "method", &format!("{{ tier = \"accurate\"{law} }}"))
+}
 
 /// How far bodies are from the truth at a sample.
 #[derive(Debug, Clone, Copy, PartialEq)]
