@@ -250,8 +250,7 @@ impl<'a, 'b> Group<'a, 'b> {
         let (needs, mut allowed) = self.needs(about);
         allowed += self.scale() * self.bend(about) * self.leverage();
         let strikes = self.meetings.iter().any(|own| self.interval.may_strike(own));
-        let unknown = self.has_unknown_joints() || strikes;
-        self.note_energy(acted, unknown);
+        self.note_energy(acted);
         let floating = self.meetings.iter().find(|own| !self.interval.touches(own) && self.interval.is_still(own));
         let mut verdict = Verdict::Explained;
         let limit = allowed + self.turned();
@@ -355,7 +354,7 @@ impl<'a, 'b> Group<'a, 'b> {
         (needs, allowed)
     }
 
-    /// What a moment of a force times a length of 1 m does, in speeds of points for the speed that the force gives, 1/m.
+    /// What the moment of a force with an arm of 1 m does, in speeds of points for the speed that the force gives, 1/m.
     fn leverage(&self) -> f64 {
         let of = |number: usize| {
             let [a, _] = self.states(number);
@@ -502,8 +501,10 @@ impl<'a, 'b> Group<'a, 'b> {
     }
 
     /// Whether contacts take or give energy that is not known.
-    fn note_energy(&self, acted: &mut Acted, is_unknown: bool) {
+    fn note_energy(&self, acted: &mut Acted) {
         let observer = self.interval.observer;
+        let strikes = self.meetings.iter().any(|own| self.interval.may_strike(own));
+        let is_unknown = strikes || self.has_unknown_joints();
         let pairs = || self.meetings.iter().filter(|own| self.interval.touches(own) || self.interval.may_strike(own));
         let losing = pairs().flat_map(|own| own.ends).flatten().any(|pair| {
             let material = observer.material(pair);

@@ -166,6 +166,8 @@ struct Court<'a> {
     energy_j: [f64; 2],
     /// The largest energy so far, J: what its rounding and its tolerance are relative to.
     scale_j: f64,
+    /// The largest sum of the magnitudes of its parts, J.
+    parts_j: f64,
     gained_j: f64,
     /// What errors of integrals hide of it, J.
     hidden_j: f64,
@@ -191,6 +193,7 @@ impl<'a> Court<'a> {
             intervals: given.times_s.len() - 1,
             energy_j: [0.0; 2],
             scale_j: 0.0,
+            parts_j: 0.0,
             gained_j: 0.0,
             hidden_j: 0.0,
             unsure_j: [0.0; 2],
@@ -214,6 +217,7 @@ impl<'a> Court<'a> {
         for place in 0..self.observer.given.times_s.len() {
             let now = self.observer.observed(place)?;
             self.at_sample(place, &now);
+            self.parts_j = self.parts_j.max(now.energy.scale_j);
             if let Some(before) = &last {
                 let middle = self.observer.middle(place)?;
                 self.between(place, [before, &now], &middle)?;
@@ -226,8 +230,7 @@ impl<'a> Court<'a> {
         if self.unknown > 0 {
             let (unknown, all) = (self.unknown, self.intervals);
             self.notes.push(format!(
-                "energy: not judged in {unknown} of {all} intervals, in which belts, motors of joints or moved bodies may \
-                 give any"
+                "energy: not judged in {unknown} of {all} intervals, in which belts or moved bodies may give any"
             ));
         }
         Ok(())
@@ -315,7 +318,7 @@ impl<'a> Court<'a> {
     }
 
     fn add_energy(&mut self, t_s: f64) {
-        let rounding = ROUNDING * self.energy_j.iter().map(|own| own.abs()).fold(self.scale_j, f64::max);
+        let rounding = ROUNDING * self.parts_j.max(self.scale_j);
         let limit =
             self.observer.tolerance * self.scale_j + rounding + self.hidden_j + self.unsure_j[0] + self.unsure_j[1];
         let (value, what) = (self.gained_j, if self.gained_j < 0.0 { "lost" } else { "gained" });
