@@ -56,6 +56,9 @@ pub(crate) enum Command {
     /// Throws a body from random attitudes: on which faces it comes to rest, how often, how hard it is struck
     #[command(after_help = help::DROP)]
     Drop(DropArgs),
+    /// Judges a trajectory of any engine by the laws of a scene; exit code 1 where it breaks one
+    #[command(after_help = help::JUDGE)]
+    Judge(JudgeArgs),
     /// Validates a scene
     #[command(after_help = help::CHECK)]
     Check(CheckArgs),
@@ -204,6 +207,28 @@ pub(crate) struct DropArgs {
     pub(crate) throw: ThrowArgs,
     #[command(flatten)]
     pub(crate) changes: ChangeArgs,
+}
+
+/// Arguments of `judge`.
+#[derive(Debug, Args)]
+pub(crate) struct JudgeArgs {
+    /// A trajectory of all bodies of the scene (.csv, .npy, .json, as `polhode run -o` writes them); columns of
+    /// velocities may be left out
+    pub(crate) trajectory: PathBuf,
+    #[command(flatten)]
+    pub(crate) scene: SceneArgs,
+    /// What counts as nothing, of sizes, speeds and energies
+    #[arg(long, value_name = "PART", default_value_t = 1e-9, allow_negative_numbers = true)]
+    pub(crate) tolerance: f64,
+    /// Leaves out the distance from a run of tier accurate, which takes its time
+    #[arg(long)]
+    pub(crate) no_truth: bool,
+    /// Draws what is found over time (.svg)
+    #[arg(short, long, value_name = "FILE")]
+    pub(crate) output: Option<PathBuf>,
+    /// Prints everything as JSON
+    #[arg(long)]
+    pub(crate) json: bool,
 }
 
 /// Arguments of `sweep`.

@@ -48,6 +48,12 @@ Examples:
   polhode drop box:0.016,0.016,0.016 -n 60 --json
   polhode drop example:box-drop -n 20 -o throws.csv";
 
+pub(crate) const JUDGE: &str = "\
+Examples:
+  polhode judge motion.csv scene.toml
+  polhode judge motion.csv scene.toml --no-truth -o judged.svg
+  polhode judge motion.csv scene.toml --tolerance 1e-6 --json";
+
 pub(crate) const CHECK: &str = "\
 Examples:
   polhode check scene.toml

@@ -32,6 +32,7 @@
 //! | `sweep` | the command that runs a scene many times with other values |
 //! | `stands` | the command that says whether bodies stand |
 //! | `drop` | the command that says on which faces a body comes to rest |
+//! | `judge` | the command that judges a trajectory by the laws of a scene |
 //! | `scene` | loading the scene that a command names |
 //! | `text` | numbers, tables and reports for people |
 //! | `stdout`, `harmless` | writing results; text that does not steer a terminal |
@@ -73,6 +74,7 @@ mod heading;
 mod help;
 mod inputs;
 mod interrupt;
+mod judge;
 mod meant;
 mod mesh;
 mod pictures;
@@ -130,6 +132,7 @@ fn called(command: &Command, interrupt: &Interrupt) -> Result<(), Failure> {
         Command::Sweep(args) => sweep::sweep(args, interrupt),
         Command::Stands(args) => stands::stands(args),
         Command::Drop(args) => drop::drop(args, interrupt),
+        Command::Judge(args) => judge::judge(args),
         Command::Check(args) => check::check(args),
         Command::Mesh(args) => mesh::mesh(args),
         Command::Elastic(args) => elastic::elastic(args),

@@ -7,6 +7,7 @@
 //! | `recording` | the columns as arrays of numpy, without a copy |
 //! | `job` | work in a thread of its own, which Ctrl-C ends |
 //! | `run` | a run from its start to its end |
+//! | `judge` | trajectories judged by a scene, and compared |
 //! | `study` | which method reaches an accuracy, and what accuracy costs |
 //! | `drop` | on which faces a body comes to rest |
 //! | `show` | a run as a page, pictures and plots |
@@ -32,6 +33,7 @@ mod errors;
 mod files;
 mod functions;
 mod job;
+mod judge;
 mod loaded;
 mod recorder;
 mod recording;
@@ -58,6 +60,8 @@ mod _polhode {
     use super::files::{doctor, material_keys, mesh_of_file, robot_of_file};
     #[pymodule_export]
     use super::functions::{mesh_report, rotate_free};
+    #[pymodule_export]
+    use super::judge::{compare, judge};
     #[pymodule_export]
     use super::loaded::Loaded;
     #[pymodule_export]

@@ -11,6 +11,7 @@
 //! | [`output`] | [`Outputs`]: trajectories as CSV, NPY and JSON, events and joints as CSV |
 //! | [`checkpoint`] | [`Checkpoint`]: a run that can be continued later |
 //! | [`mod@compare`] | [`compare`](compare()): two trajectories, number by number |
+//! | [`csv`] | comma-separated values |
 //! | [`trajectory`] | [`TrajectoryReader`]: a trajectory read back, held against its scene |
 //! | [`report`] | reports and plans as JSON |
 //! | [`shown`] | what pages and plots say of a run |
@@ -21,7 +22,6 @@
 //! | `document` | a scene file that knows where each of its values stands |
 //! | `robot` | robots from URDF and MJCF files |
 //! | `boxes` | a table of boxes as a scene |
-//! | `csv` | comma-separated values |
 //! | `trajectory_rows` | the rows of a trajectory in a CSV file, read one by one |
 //! | `scaled_arrays` | the arrays of a scene with another number of bodies |
 //! | `mesh_file_error` | why a mesh file could not be used |
@@ -62,6 +62,7 @@
 
 pub mod checkpoint;
 pub mod compare;
+pub mod csv;
 pub mod error;
 pub mod format;
 pub mod load;
@@ -78,7 +79,6 @@ pub mod uncertain;
 
 mod boxes;
 mod build;
-mod csv;
 mod document;
 mod mesh_file_error;
 mod read;

@@ -25,6 +25,7 @@
 //! | [`json`] | the same as one JSON object |
 //! | [`sweep`] | many runs with other values, and what is measured of each |
 //! | [`mod@drop`] | on which faces a body comes to rest, how often, and how hard it is struck |
+//! | [`mod@judge`] | a trajectory of any engine, judged by the laws of a scene |
 //! | [`error`] | [`StudyError`] |
 
 pub mod candidate;
@@ -33,6 +34,7 @@ pub mod drop;
 pub mod error;
 pub mod host;
 pub mod json;
+pub mod judge;
 pub mod ladder;
 pub mod law;
 pub mod options;

@@ -9,10 +9,12 @@
 //! | `comparison` | two trajectories |
 //! | `drop` | on which faces a body comes to rest |
 //! | `stands` | whether bodies stand |
+//! | `judge` | what is found of a trajectory |
 //! | `sweep` | what the runs of a sweep say together |
 
 mod comparison;
 pub(crate) mod drop;
+pub(crate) mod judge;
 mod mesh;
 mod mesh_studies;
 mod report;

@@ -13,6 +13,7 @@ mod every_day;
 mod help_examples;
 #[cfg(unix)]
 mod interrupts;
+mod judge;
 mod mesh;
 mod plan;
 mod plots;

@@ -37,6 +37,7 @@ from ._errors import (
 from ._estimate import RunError, TrackError
 from ._functions import doctor, mass_properties, rotate_free
 from ._joints import Ball, Cylindrical, FixedJoint, Hinge, Joint, OnTrack, Planar, Rod, Rope, Screw, Slider, Universal
+from ._judge import Comparison, Judgement, compare, judge
 from ._polhode import (
     BodyState,
     Contact,
@@ -83,6 +84,7 @@ __all__ = [
     "Candidate",
     "Capsule",
     "Choice",
+    "Comparison",
     "Compound",
     "Cone",
     "Contact",
@@ -107,6 +109,7 @@ __all__ = [
     "JointLoad",
     "JointTrack",
     "Joints",
+    "Judgement",
     "LogNormal",
     "Mean",
     "Mesh",
@@ -157,9 +160,11 @@ __all__ = [
     "ViewError",
     "__version__",
     "boxes",
+    "compare",
     "cost",
     "doctor",
     "impact",
+    "judge",
     "mass_properties",
     "rest_poses",
     "rotate_free",

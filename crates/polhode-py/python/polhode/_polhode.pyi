@@ -23,10 +23,12 @@ __all__ = [
     "Snapshot",
     "StepOutcome",
     "__version__",
+    "compare",
     "doctor",
     "gif",
     "impact_with_friction",
     "impact_without_friction",
+    "judge",
     "material_keys",
     "mesh_of_file",
     "mesh_report",
@@ -125,6 +127,12 @@ def page(recording: Recording, least_interval: float, told: _Told) -> str: ...
 def plot(recording: Recording, names: Sequence[str], told: _Told) -> str: ...
 def still(recording: Recording, t: float | None, asked: Mapping[str, Any], told: _Told) -> bytes: ...
 def gif(recording: Recording, fps: float | None, asked: Mapping[str, Any], told: _Told) -> bytes: ...
+def judge(path: str, loaded: Loaded, tolerance: float, truth: bool) -> str:
+    """What is found of a trajectory as JSON, as ``polhode judge --json`` prints it."""
+
+def compare(a: str, b: str, atol: float, rtol: float) -> str:
+    """The largest difference of every column of two trajectories as JSON."""
+
 def study(
     loaded: Loaded,
     all_effects: bool,

@@ -10,6 +10,7 @@ use super::plan::Sweep;
 use super::run::Row;
 use blake2::digest::consts::U16;
 use blake2::{Blake2b, Digest};
+use polhode_scene::csv::{fields, quoted};
 use std::fs::{self, File, OpenOptions};
 use std::io::{Read as _, Write as _};
 use std::ops::Range;
@@ -48,7 +49,7 @@ impl Sweep {
 
     /// The row of a line of this sweep.
     fn row_of(&self, line: &str) -> Option<Row> {
-        let cells = cells(line.strip_suffix('\n').unwrap_or(line));
+        let cells = fields(line.strip_suffix('\n').unwrap_or(line));
         let (keys, measures) = (self.leading(), self.measures.len());
         let (run, rest) = cells.split_first()?;
         if rest.len() != keys + measures + 3 {
@@ -74,7 +75,7 @@ impl Row {
         let numbers = std::iter::once(self.error).chain(self.measured.iter().copied()).map(digits);
         let cells = [self.run.to_string()].into_iter().chain(self.values.iter().cloned()).chain([self.outcome.clone()]);
         let all = cells.chain(numbers).chain([self.reason.clone()]);
-        all.map(|cell| quoted(&cell)).collect::<Vec<_>>().join(",")
+        all.map(|cell| quoted(&cell).into_owned()).collect::<Vec<_>>().join(",")
     }
 }
 
@@ -236,33 +237,6 @@ fn records(text: &str) -> Vec<&str> {
         }
     }
     all
-}
-
-/// The fields of a line.
-fn cells(line: &str) -> Vec<String> {
-    let (mut all, mut cell, mut is_quoted, mut letters) = (Vec::new(), String::new(), false, line.chars().peekable());
-    while let Some(letter) = letters.next() {
-        match letter {
-            '"' if is_quoted && letters.peek() == Some(&'"') => {
-                letters.next();
-                cell.push('"');
-            }
-            '"' => is_quoted = !is_quoted,
-            ',' if !is_quoted => all.push(std::mem::take(&mut cell)),
-            other => cell.push(other),
-        }
-    }
-    all.push(cell);
-    all
-}
-
-/// A field, in quotes where it needs them.
-fn quoted(field: &str) -> String {
-    if field.contains([',', '"', '\n', '\r']) {
-        format!("\"{}\"", field.replace('"', "\"\""))
-    } else {
-        field.to_owned()
-    }
 }
 
 /// The shortest digits from which the number is read again.
