@@ -125,7 +125,7 @@ fn called(command: &Command, interrupt: &Interrupt) -> Result<(), Failure> {
         Command::Plan(args) => plan::plan(args),
         Command::Cost(args) => cost::cost(args, interrupt),
         Command::Sweep(args) => sweep::sweep(args, interrupt),
-        Command::Stands(args) => stands::stands(args),
+        Command::Stands(args) => stands::stands(args, interrupt),
         Command::Check(args) => check::check(args),
         Command::Mesh(args) => mesh::mesh(args),
         Command::Elastic(args) => elastic::elastic(args),

@@ -23,6 +23,7 @@
 //! | `runs` | all runs of a study |
 //! | [`study`] | all of it together |
 //! | [`json`] | the same as one JSON object |
+//! | [`stands`] | whether bodies stand, how firmly, and what moves first |
 //! | [`sweep`] | many runs with other values, and what is measured of each |
 //! | [`error`] | [`StudyError`] |
 
@@ -36,6 +37,7 @@ pub mod law;
 pub mod options;
 pub mod reference;
 pub mod source;
+pub mod stands;
 pub mod study;
 pub mod sweep;
 pub mod threads;

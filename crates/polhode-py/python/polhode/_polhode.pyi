@@ -23,6 +23,7 @@ __all__ = [
     "Snapshot",
     "StepOutcome",
     "__version__",
+    "boxes",
     "doctor",
     "gif",
     "impact_with_friction",
@@ -36,6 +37,7 @@ __all__ = [
     "rotate_free",
     "run",
     "solve_friction",
+    "stands",
     "still",
     "study",
 ]
@@ -124,6 +126,12 @@ def page(recording: Recording, least_interval: float, told: _Told) -> str: ...
 def plot(recording: Recording, names: Sequence[str], told: _Told) -> str: ...
 def still(recording: Recording, t: float | None, asked: Mapping[str, Any], told: _Told) -> bytes: ...
 def gif(recording: Recording, fps: float | None, asked: Mapping[str, Any], told: _Told) -> bytes: ...
+def stands(loaded: Loaded) -> str:
+    """Whether a scene stands, as JSON, as ``polhode stands --json`` prints it."""
+
+def boxes(table: str, origin: str | None = None) -> str:
+    """The keys of the scene of a table of boxes, as JSON."""
+
 def study(
     loaded: Loaded,
     all_effects: bool,

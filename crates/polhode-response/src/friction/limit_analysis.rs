@@ -15,6 +15,9 @@
 //!   the multipliers; Newton's method for its zero, kept between what misses and what does not, takes a few programmes.
 //!   `1 - m` is the reserve of friction, and the forces found have all of it.
 //!
+//! - **Collapse.** Where no forces in the cones hold it, the multipliers of the same programme for `m = 1` are the
+//!   motion that begins: of all in which no contact closes, the one in which the loads do most work.
+//!
 //! Symbols: `f` (N), `J` (no unit), `M` (kg), `a` (m/s^2), `l`, `m`, `mu`, `t` (no unit). Sources: Heyman 1966;
 //! Livesley 1978 (limit analysis as a programme); Whiting 2009 (how far a structure is from standing). Assumption:
 //! forces in the cones are enough. With friction a structure that can stand may still move when something starts it, so
@@ -141,6 +144,20 @@ impl<'a> Structure<'a> {
         let found = self.least_friction();
         #[cfg(feature = "census")]
         self.counted("friction limit", found.is_some());
+        Ok(found)
+    }
+
+    /// The motion that begins where no forces within the cones hold it: the factor is 1, the forces are those that
+    /// miss their cones least. None where it stands, or the interior point finds none.
+    ///
+    /// # Errors
+    /// None so far.
+    #[cfg_attr(feature = "census", track_caller)]
+    pub fn collapse(&self) -> Result<Option<Limit>, ResponseError> {
+        let missed = self.missed(1.0).filter(|missed| missed.last > ANSWER_ERROR);
+        let found = missed.map(|missed| self.limit(1.0, &missed));
+        #[cfg(feature = "census")]
+        self.counted("collapse", found.is_some());
         Ok(found)
     }
 
