@@ -3,7 +3,7 @@
 use super::stability::{named_bodies, stability};
 use super::table::{Table, number, vector};
 use polhode::{BodyId, ContactView, Scene};
-use polhode_study::stands::{Begins, Bisection, Mechanism, Standing};
+use polhode_study::stands::{Begins, Bisection, Mechanism, Numbers, Standing};
 use std::fmt::Write as _;
 
 /// The answer, the margins, the hinges of what begins, and if asked for what each contact carries.
@@ -37,9 +37,10 @@ pub(crate) fn headings(scene: &Scene, standing: &Standing) -> (String, String) {
 
 /// The limit of a key, with the values on both sides of it.
 pub(crate) fn limit(scene: &str, found: &Bisection) -> String {
-    let shown = |value: f64| if found.is_whole { format!("{value:.0}") } else { format!("{value:?}") };
+    let is_whole = found.numbers == Numbers::Whole;
+    let shown = |value: f64| if is_whole { format!("{value:.0}") } else { format!("{value:?}") };
     let digits = found.digits as usize;
-    let limit = if found.is_whole { shown(found.limit()) } else { significant(found.limit(), digits) };
+    let limit = if is_whole { shown(found.limit()) } else { significant(found.limit(), digits) };
     let Bisection { key, asked, .. } = found;
     let (stands, falls) = (shown(found.stands), shown(found.falls));
     format!("{scene}: the limit of {key} is {limit}\n  it stands at {stands}, and not at {falls}; {asked} scenes\n")

@@ -19,6 +19,15 @@ const ORIGIN: &str = "command line (--bisect)";
 /// Halvings at the most: all bits of a number.
 const MOST_HALVINGS: usize = 64;
 
+/// Among which numbers a limit is sought.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Numbers {
+    /// All.
+    Any,
+    /// Whole ones alone.
+    Whole,
+}
+
 /// A key of a scene and the interval in which a limit of it is sought.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Interval {
@@ -26,8 +35,8 @@ pub struct Interval {
     pub key: String,
     /// The ends, the smaller one first, finite.
     ends: [f64; 2],
-    /// Whether both are written as whole numbers.
-    is_whole: bool,
+    /// Whole, where both are written so.
+    numbers: Numbers,
 }
 
 /// The limit of a key.
@@ -44,14 +53,17 @@ pub struct Bisection {
     pub digits: u32,
     /// How often the question was asked.
     pub asked: usize,
-    /// Whether only whole numbers are accepted.
-    pub is_whole: bool,
+    /// Among which numbers it was sought.
+    pub numbers: Numbers,
 }
 
 impl Bisection {
     /// The limit: the middle of both, or of whole numbers the last one that stands.
     pub fn limit(&self) -> f64 {
-        if self.is_whole { self.stands } else { middle([self.stands, self.falls]) }
+        match self.numbers {
+            Numbers::Whole => self.stands,
+            Numbers::Any => middle([self.stands, self.falls]),
+        }
     }
 }
 
@@ -68,7 +80,10 @@ impl Interval {
         let is_whole = [low, high].iter().all(|end| end.parse::<i64>().is_ok());
         let ends = [low, high].map(|end| end.parse::<f64>().ok().filter(|number| number.is_finite()));
         match ends {
-            [Some(low), Some(high)] if low < high && !key.is_empty() => Ok(Self { key, ends: [low, high], is_whole }),
+            [Some(low), Some(high)] if low < high && !key.is_empty() => {
+                let numbers = if is_whole { Numbers::Whole } else { Numbers::Any };
+                Ok(Self { key, ends: [low, high], numbers })
+            }
             _ => Err(refused()),
         }
     }
@@ -88,21 +103,22 @@ impl Interval {
             return Err(StandsError::Digits { found: digits, most: MOST_DIGITS });
         }
         let mut count = 0;
-        let mut stands = |value: f64, is_whole: bool| {
+        let mut stands = |value: f64, numbers: Numbers| {
             asked()?;
             count += 1;
-            question.stands_with(&[self.change(value, is_whole)])
+            question.stands_with(&[self.change(value, numbers)])
         };
         let [low, high] = self.ends;
-        let at_low = stands(low, self.is_whole)?;
-        if stands(high, self.is_whole)? == at_low {
-            let [low, high] = self.ends.map(|value| self.written(value, self.is_whole));
+        let at_low = stands(low, self.numbers)?;
+        if stands(high, self.numbers)? == at_low {
+            let [low, high] = self.ends.map(|value| written(value, self.numbers));
             let does = if at_low { "stands" } else { "does not stand" };
             return Err(StandsError::SameAtBothEnds { key: self.key.clone(), low, high, does });
         }
         // Only of a key that takes no fraction the scene is refused with one.
-        let between = self.change(low + 0.5, false);
-        let is_whole = self.is_whole && question.loaded(&[between]).is_err();
+        let between = self.change(low + 0.5, Numbers::Any);
+        let is_whole = self.numbers == Numbers::Whole && question.loaded(&[between]).is_err();
+        let numbers = if is_whole { Numbers::Whole } else { Numbers::Any };
         let mut ends = if at_low { [low, high] } else { [high, low] };
         let is_found = |[a, b]: [f64; 2]| {
             let apart = (a - b).abs();
@@ -114,19 +130,23 @@ impl Interval {
             if is_found(ends) || ends.contains(&value) {
                 break;
             }
-            let side = usize::from(!stands(value, is_whole)?);
+            let side = usize::from(!stands(value, numbers)?);
             ends[side] = value;
         }
         let [stands, falls] = ends;
-        Ok(Bisection { key: self.key.clone(), stands, falls, digits, asked: count, is_whole })
+        Ok(Bisection { key: self.key.clone(), stands, falls, digits, asked: count, numbers })
     }
 
-    fn written(&self, value: f64, is_whole: bool) -> String {
-        if is_whole { format!("{value:.0}") } else { format!("{value:?}") }
+    fn change(&self, value: f64, numbers: Numbers) -> Override {
+        Override::new(ORIGIN, &self.key, written(value, numbers))
     }
+}
 
-    fn change(&self, value: f64, is_whole: bool) -> Override {
-        Override::new(ORIGIN, &self.key, self.written(value, is_whole))
+/// A value as a scene has it.
+fn written(value: f64, numbers: Numbers) -> String {
+    match numbers {
+        Numbers::Whole => format!("{value:.0}"),
+        Numbers::Any => format!("{value:?}"),
     }
 }
 
@@ -168,7 +188,7 @@ layout.grid = { counts = [1, 1, 1], spacing = [1, 1, 0.2] }
     fn a_limit_is_that_of_statics() {
         let found = bisect("gravity.0=1..9", 6).unwrap();
         assert!((found.limit() / (0.5 * 9.81) - 1.0).abs() < 2e-6, "{found:?}");
-        assert!(found.stands < found.falls && !found.is_whole);
+        assert!(found.stands < found.falls && found.numbers == Numbers::Any);
     }
 
     /// A tower of n boxes, each 0.2 m high, tips at the slope 1 / (0.2 n): with a slope of 0.245 it stands up to 20.
@@ -179,7 +199,7 @@ layout.grid = { counts = [1, 1, 1], spacing = [1, 1, 0.2] }
         let question = Question { load: &load, given: &given };
         let found = Interval::parse("arrays.0.layout.grid.counts.2=1..40").unwrap().bisect(&question, 6, || Ok(()));
         let found = found.unwrap();
-        assert!(found.is_whole && found.limit() == 20.0 && found.falls == 21.0, "{found:?}");
+        assert!(found.numbers == Numbers::Whole && found.limit() == 20.0 && found.falls == 21.0, "{found:?}");
     }
 
     #[test]

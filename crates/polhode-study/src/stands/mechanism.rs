@@ -64,18 +64,22 @@ pub struct Mechanism {
 }
 
 impl Mechanism {
-    /// That of bodies at rest with these margins and contacts: now where they are not held, else at the least push.
-    /// None where the analysis has none.
-    pub(super) fn of(scene: &Scene, stability: &Stability, contacts: &[ContactView], is_held: bool) -> Option<Self> {
-        let (begins, bodies) = if is_held {
-            let push = stability.worst_push()?;
-            let of_weight = push.of_weight.filter(|part| part.is_finite())?;
-            (Begins::AtPush { direction: push.direction, of_weight }, &push.begins)
-        } else {
-            (Begins::Now, &stability.friction.begins)
-        };
+    /// The motion that begins now, of bodies at rest with these margins and contacts, which nothing holds. None where the
+    /// analysis has none.
+    pub(super) fn now(scene: &Scene, stability: &Stability, contacts: &[ContactView]) -> Option<Self> {
+        Self::of(scene, Begins::Now, &stability.friction.begins, contacts)
+    }
+
+    /// That which begins at the least push of bodies that are held.
+    pub(super) fn at_push(scene: &Scene, stability: &Stability, contacts: &[ContactView]) -> Option<Self> {
+        let push = stability.worst_push()?;
+        let of_weight = push.of_weight.filter(|part| part.is_finite())?;
+        Self::of(scene, Begins::AtPush { direction: push.direction, of_weight }, &push.begins, contacts)
+    }
+
+    fn of(scene: &Scene, begins: Begins, bodies: &[MovingBody], contacts: &[ContactView]) -> Option<Self> {
         let hinges = hinges(scene, bodies, contacts);
-        (!bodies.is_empty()).then(|| Self { begins, bodies: bodies.clone(), hinges })
+        (!bodies.is_empty()).then(|| Self { begins, bodies: bodies.to_vec(), hinges })
     }
 }
 

@@ -19,7 +19,7 @@ mod mechanism;
 mod standing;
 
 pub use answer::{bisection_json, standing_json};
-pub use bisect::{Bisection, Interval, MOST_DIGITS};
+pub use bisect::{Bisection, Interval, MOST_DIGITS, Numbers};
 pub use error::StandsError;
 pub use mechanism::{Begins, Hinge, Mechanism};
 pub use standing::{Question, Standing};

@@ -131,7 +131,11 @@ fn found(loaded: &LoadedScene) -> Result<Standing, SimulationError> {
     let stability = simulation.stability()?;
     let touching = simulation.contacts();
     let moving = moving(loaded, &mut simulation)?;
-    let mechanism = Mechanism::of(&loaded.scene, &stability, &touching, is_held(&stability.friction));
+    let mechanism = if is_held(&stability.friction) {
+        Mechanism::at_push(&loaded.scene, &stability, &touching)
+    } else {
+        Mechanism::now(&loaded.scene, &stability, &touching)
+    };
     Ok(Standing { stability, contacts: simulation.contacts(), moving, mechanism })
 }
 
