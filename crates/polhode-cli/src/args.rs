@@ -6,10 +6,11 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 use polhode::ErrorEstimation;
 use polhode_study::Threads;
 use polhode_study::sweep::Sensitivities;
+use polhode_study::stands::MOST_DIGITS;
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
 
-/// Rigid-body simulation that accounts for its accuracy.
+/// Simulates rigid bodies with contacts, friction and joints, and says how far each result is right.
 #[derive(Debug, Parser)]
 #[command(name = "polhode", version, about, after_help = EXIT_CODES)]
 pub(crate) struct Cli {
@@ -195,6 +196,17 @@ pub(crate) struct StandsArgs {
     /// Says what each contact carries
     #[arg(long)]
     pub(crate) contacts: bool,
+    /// Draws the motion that begins, now or at the least push, with its hinges, as SVG
+    #[arg(long, value_name = "FILE")]
+    pub(crate) picture: Option<PathBuf>,
+    /// Finds up to which value of a key the scene stands, between a value with which it does and one with which it does
+    /// not
+    #[arg(long, value_name = "KEY=LOW..HIGH", allow_hyphen_values = true, conflicts_with_all = ["contacts", "picture"])]
+    pub(crate) bisect: Option<String>,
+    /// Digits of that value
+    #[arg(long, value_name = "N", default_value_t = 6, requires = "bisect")]
+    #[arg(value_parser = clap::value_parser!(u32).range(1..=i64::from(MOST_DIGITS)))]
+    pub(crate) digits: u32,
     /// Prints everything as JSON
     #[arg(long)]
     pub(crate) json: bool,

@@ -40,6 +40,8 @@ pub(crate) const STANDS: &str = "\
 Examples:
   polhode stands example:masonry-arch
   polhode stands example:masonry-arch --contacts
+  polhode stands example:arch --picture arch.svg
+  polhode stands example:arch --bisect arrays.stone.layout.arch.thickness=0.05..0.2 --digits 3
   polhode stands example:overhang-stack || echo \"it does not stand\"";
 
 pub(crate) const DROP: &str = "\

@@ -19,6 +19,7 @@
 //! | `arguments` | what Python gives, checked |
 //! | `contacts` | forces of friction and impacts, as functions of arrays |
 //! | `files` | meshes and robots from their files |
+//! | `stands` | whether a scene stands, and tables of boxes as scenes |
 //! | `functions` | parts of the library as functions of arrays |
 //! | `errors` | errors of the library as Python's exceptions |
 //!
@@ -40,6 +41,7 @@ mod recording;
 mod run;
 mod show;
 mod simulation;
+mod stands;
 mod study;
 mod telling;
 mod views;
@@ -72,6 +74,8 @@ mod _polhode {
     use super::show::{gif, page, plot, still};
     #[pymodule_export]
     use super::simulation::{Simulation, Snapshot};
+    #[pymodule_export]
+    use super::stands::{boxes, stands};
     #[pymodule_export]
     use super::study::study;
     #[pymodule_export]

@@ -6,7 +6,7 @@ use crate::robot::RobotFileError;
 use polhode::SceneError;
 use polhode::contact::{ApproximateError, ShapeError};
 use polhode::dynamics::field::FieldError;
-use polhode::mesh::{MeshError, PrimitiveError};
+use polhode::mesh::{MeshError, PrimitiveError, PrismError};
 use polhode::scene::{FreedomError, GearError, LimitsError, MotionError, OverlapAtStart};
 use polhode::spatial::curve::CurveError;
 use polhode::spatial::{InertiaError, MassPropertiesError, RotationError, UnitVectorError};
@@ -354,6 +354,17 @@ pub enum Refusal {
     /// A direction is refused.
     #[error(transparent)]
     Direction(#[from] UnitVectorError),
+    /// A mesh file bounds no solid.
+    #[error("{file}: {source}")]
+    Solid {
+        /// The file, as the scene names it.
+        file: String,
+        /// Why.
+        source: MeshError,
+    },
+    /// A prism or a wedge is refused.
+    #[error(transparent)]
+    Prism(#[from] PrismError),
     /// A shape is refused.
     #[error(transparent)]
     Shape(#[from] ShapeError),
@@ -456,9 +467,13 @@ impl Refusal {
             Self::UnknownName { name, known, .. } => Some(format!("{}accepted: {known}", meant(name, known))),
             Self::Type { accepted, .. } => Some(format!("accepted: {accepted}")),
             Self::Scene(SceneError::InitialOverlap(pairs)) => mend(pairs),
-            Self::Mesh(MeshError::Seams { distance_m, .. }) => Some(format!(
-                "to merge them: `polhode mesh FILE --repair{} -o MENDED.obj`, and name that file here",
+            Self::Solid { file, source: MeshError::Seams { distance_m, .. } } => Some(format!(
+                "to merge them: `polhode mesh {file} --repair{} -o MENDED.obj`, and name that file here",
                 weld_tolerance(*distance_m)
+            )),
+            Self::Solid { file, source: MeshError::NotSolid(_) } => Some(format!(
+                "`polhode mesh {file}` shows where, `polhode mesh {file} --repair -o MENDED.obj` mends what can be \
+                 mended: name that file here"
             )),
             Self::Number { accepted, .. } => Some(format!("accepted: {accepted}")),
             Self::ShapeKinds => Some(format!("accepted: one of {}", crate::format::SHAPES)),

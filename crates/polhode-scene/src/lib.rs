@@ -85,6 +85,7 @@ mod read;
 mod scaled_arrays;
 mod trajectory_rows;
 
+pub use boxes::{boxes_json, is_boxes};
 pub use checkpoint::{Checkpoint, CheckpointError};
 pub use compare::{CompareError, Comparison, RowPair, Tolerance, compare, compare_rows};
 pub use document::Override;

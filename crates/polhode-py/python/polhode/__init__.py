@@ -53,7 +53,22 @@ from ._polhode import (
 from ._robot import Robot, RobotActuator, RobotCoordinate, RobotJoint, RobotLink
 from ._run import Energies, Joints, JointTrack, Run, Track, run
 from ._scene import Body, JointHandle, Scene
-from ._shapes import Box, Capsule, Compound, Cone, Convex, Cylinder, HalfSpace, Mesh, Points, Shape, Sphere, Torus
+from ._shapes import (
+    Box,
+    Capsule,
+    Compound,
+    Cone,
+    Convex,
+    Cylinder,
+    HalfSpace,
+    Mesh,
+    Points,
+    Prism,
+    Shape,
+    Sphere,
+    Torus,
+    Wedge,
+)
 from ._show import Gif, Page, Plot, Still
 from ._simulation import Simulation
 from ._stands import Standing, boxes, stands
@@ -123,6 +138,7 @@ __all__ = [
     "Planar",
     "Plot",
     "Points",
+    "Prism",
     "PolhodeError",
     "RestFace",
     "RestPoses",
@@ -158,6 +174,7 @@ __all__ = [
     "Universal",
     "UnknownName",
     "ViewError",
+    "Wedge",
     "__version__",
     "boxes",
     "compare",

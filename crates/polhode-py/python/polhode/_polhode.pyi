@@ -23,6 +23,7 @@ __all__ = [
     "Snapshot",
     "StepOutcome",
     "__version__",
+    "boxes",
     "compare",
     "doctor",
     "gif",
@@ -39,6 +40,7 @@ __all__ = [
     "rotate_free",
     "run",
     "solve_friction",
+    "stands",
     "still",
     "study",
 ]
@@ -132,6 +134,12 @@ def judge(path: str, loaded: Loaded, tolerance: float, truth: bool) -> str:
 
 def compare(a: str, b: str, atol: float, rtol: float) -> str:
     """The largest difference of every column of two trajectories as JSON."""
+
+def stands(loaded: Loaded) -> str:
+    """Whether a scene stands, as JSON, as ``polhode stands --json`` prints it."""
+
+def boxes(table: str, origin: str | None = None) -> str:
+    """The keys of the scene of a table of boxes, as JSON."""
 
 def study(
     loaded: Loaded,

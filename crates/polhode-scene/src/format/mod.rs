@@ -46,10 +46,12 @@ mod track;
 mod uncertain;
 
 pub(crate) use array::LAYOUTS;
-pub use array::{ArrayEntry, DropEntry, GridEntry, LayoutEntry, PyramidEntry, WallEntry};
+pub use array::{
+    ArchEntry, ArrayEntry, DropEntry, GridEntry, LayoutEntry, PyramidEntry, RingEntry, SpringersName, WallEntry,
+};
 pub use body::{
     ApproximateEntry, BodyEntry, BoxEntry, CompoundEntry, FileEntry, HalfSpaceEntry, InertiaEntry, MeshEntry,
-    PartEntry, PointsEntry, RadiusHeightEntry, ShapeEntry, SphereEntry, TorusEntry,
+    PartEntry, PointsEntry, PrismEntry, RadiusHeightEntry, ShapeEntry, SphereEntry, TorusEntry, WedgeEntry,
 };
 pub use broad_phase::BroadPhaseName;
 pub use exactly::{Exactly, Vector};
@@ -89,7 +91,7 @@ pub const VERSION: u32 = 1;
 
 /// Kinds of shape, for messages.
 pub(crate) const SHAPES: &str =
-    "box, sphere, cylinder, cone, capsule, torus, half_space, points, convex, mesh or compound";
+    "box, sphere, cylinder, cone, capsule, torus, prism, wedge, half_space, points, convex, mesh or compound";
 
 /// Kinds of prescribed motion, for messages.
 pub(crate) const MOTIONS: &str = "constant, sine or table";
