@@ -1,13 +1,16 @@
 //! The command line.
 
+use crate::drop_args::ThrowArgs;
 use crate::help;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use polhode::ErrorEstimation;
 use polhode_study::Threads;
+use polhode_study::sweep::Sensitivities;
+use polhode_study::stands::MOST_DIGITS;
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
 
-/// Rigid-body simulation that accounts for its accuracy.
+/// Simulates rigid bodies with contacts, friction and joints, and says how far each result is right.
 #[derive(Debug, Parser)]
 #[command(name = "polhode", version, about, after_help = EXIT_CODES)]
 pub(crate) struct Cli {
@@ -51,6 +54,12 @@ pub(crate) enum Command {
     /// Says whether bodies stand, how firmly, what moves first, and what each contact carries
     #[command(after_help = help::STANDS)]
     Stands(StandsArgs),
+    /// Throws a body from random attitudes: on which faces it comes to rest, how often, how hard it is struck
+    #[command(after_help = help::DROP)]
+    Drop(DropArgs),
+    /// Judges a trajectory of any engine by the laws of a scene; exit code 1 where it breaks one
+    #[command(after_help = help::JUDGE)]
+    Judge(JudgeArgs),
     /// Validates a scene
     #[command(after_help = help::CHECK)]
     Check(CheckArgs),
@@ -199,6 +208,48 @@ pub(crate) struct StandsArgs {
     /// Says what each contact carries
     #[arg(long)]
     pub(crate) contacts: bool,
+    /// Draws the motion that begins, now or at the least push, with its hinges, as SVG
+    #[arg(long, value_name = "FILE")]
+    pub(crate) picture: Option<PathBuf>,
+    /// Finds up to which value of a key the scene stands, between a value with which it does and one with which it does
+    /// not
+    #[arg(long, value_name = "KEY=LOW..HIGH", allow_hyphen_values = true, conflicts_with_all = ["contacts", "picture"])]
+    pub(crate) bisect: Option<String>,
+    /// Digits of that value
+    #[arg(long, value_name = "N", default_value_t = 6, requires = "bisect")]
+    #[arg(value_parser = clap::value_parser!(u32).range(1..=i64::from(MOST_DIGITS)))]
+    pub(crate) digits: u32,
+    /// Prints everything as JSON
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+/// Arguments of `drop`.
+#[derive(Debug, Args)]
+pub(crate) struct DropArgs {
+    #[command(flatten)]
+    pub(crate) throw: ThrowArgs,
+    #[command(flatten)]
+    pub(crate) changes: ChangeArgs,
+}
+
+/// Arguments of `judge`.
+#[derive(Debug, Args)]
+pub(crate) struct JudgeArgs {
+    /// A trajectory of all bodies of the scene (.csv, .npy, .json, as `polhode run -o` writes them); columns of
+    /// velocities may be left out
+    pub(crate) trajectory: PathBuf,
+    #[command(flatten)]
+    pub(crate) scene: SceneArgs,
+    /// What counts as nothing, of sizes, speeds and energies
+    #[arg(long, value_name = "PART", default_value_t = 1e-9, allow_negative_numbers = true)]
+    pub(crate) tolerance: f64,
+    /// Leaves out the distance from a run of tier accurate, which takes its time
+    #[arg(long)]
+    pub(crate) no_truth: bool,
+    /// Draws what is found over time (.svg)
+    #[arg(short, long, value_name = "FILE")]
+    pub(crate) output: Option<PathBuf>,
     /// Prints everything as JSON
     #[arg(long)]
     pub(crate) json: bool,
@@ -211,9 +262,13 @@ pub(crate) struct SweepArgs {
     pub(crate) scene: SceneArgs,
     /// Varies a key of the scene: values (0.1,0.2), a range with their number (0.1..0.8:8), or what is drawn from
     /// (0.1..0.8, normal(0.4, 0.1), lognormal(0.4, 0.1), uniform(0.1, 0.8), choice(newton, poisson)); several keys give
-    /// all combinations
-    #[arg(long, value_name = "KEY=VALUES", required = true, allow_hyphen_values = true)]
+    /// all combinations. Without it the [[uncertain]] values of the scene are drawn
+    #[arg(long, value_name = "KEY=VALUES", allow_hyphen_values = true)]
     pub(crate) vary: Vec<String>,
+    /// How it is found what measures hang on, of uncertain values [default: by nodes where they are few, else by mixed
+    /// draws]
+    #[arg(long, value_enum, conflicts_with = "vary")]
+    pub(crate) sensitivities: Option<SensitivitiesArg>,
     /// Draws of each combination, where a key is drawn
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
     pub(crate) random: Option<u64>,
@@ -224,7 +279,8 @@ pub(crate) struct SweepArgs {
     /// energy.kinetic, count(events.impact), sum(impulse); NAME=... names the column
     #[arg(long, value_name = "EXPR")]
     pub(crate) measure: Vec<String>,
-    /// Writes the table as CSV, row by row; a file that was cut off is gone on with [default: to stdout]
+    /// Writes the table: .csv, row by row, gone on with where it was cut off; .parquet, whose rows are kept in a CSV
+    /// beside it until all are there [default: CSV to stdout]
     #[arg(short, long, value_name = "FILE")]
     pub(crate) output: Option<PathBuf>,
     /// Computes one of N equal shards, into a file beside the table (table.2-of-8.csv); without --shard the same
@@ -234,6 +290,37 @@ pub(crate) struct SweepArgs {
     /// Runs at a time; the table is the same for any number [default: as many as the machine has processors]
     #[arg(long, value_name = "N", default_value_t = Threads::of_machine().0, hide_default_value = true)]
     pub(crate) workers: NonZeroUsize,
+    /// Writes a page that says all of the sweep: inputs, method, versions, seed, hash of the table, distributions, what
+    /// measures hang on; the same command gives the same bytes
+    #[arg(long, value_name = "FILE", conflicts_with = "shard")]
+    pub(crate) report: Option<PathBuf>,
+    /// Prints what was found as JSON instead of text
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+/// How it is found what measures hang on.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum SensitivitiesArg {
+    /// By a grid of Gauss's nodes: few values, smooth answers
+    Gauss,
+    /// By mixed draws, with standard errors: many values, any answers
+    Saltelli,
+    /// Derivatives alone
+    Local,
+    /// Not at all
+    Off,
+}
+
+impl From<SensitivitiesArg> for Sensitivities {
+    fn from(own: SensitivitiesArg) -> Self {
+        match own {
+            SensitivitiesArg::Gauss => Self::Gauss,
+            SensitivitiesArg::Saltelli => Self::Saltelli,
+            SensitivitiesArg::Local => Self::Local,
+            SensitivitiesArg::Off => Self::Off,
+        }
+    }
 }
 
 /// A shard, as 2/8.

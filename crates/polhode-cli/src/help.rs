@@ -32,13 +32,30 @@ pub(crate) const SWEEP: &str = "\
 Examples:
   polhode sweep scene.toml --vary bodies.brick.mass=1..2:8 --measure 'bodies.brick.position[2]@end' -o table.csv
   polhode sweep scene.toml --vary 'bodies.brick.mass=normal(1, 0.05)' --random 20 --measure 'max(bodies.brick.velocity)'
-  polhode sweep scene.toml --vary bodies.brick.mass=1..2:40 -o all.csv --shard 2/8";
+  polhode sweep scene.toml --vary bodies.brick.mass=1..2:40 -o all.csv --shard 2/8
+  polhode sweep scene.toml --vary bodies.brick.mass=1..2 --random 20 --json --report page.html
+
+A scene with [[uncertain]] values is drawn without --vary: polhode sweep scene.toml --random 100 -o table.csv";
 
 pub(crate) const STANDS: &str = "\
 Examples:
   polhode stands example:masonry-arch
   polhode stands example:masonry-arch --contacts
+  polhode stands example:arch --picture arch.svg
+  polhode stands example:arch --bisect arrays.stone.layout.arch.thickness=0.05..0.2 --digits 3
   polhode stands example:overhang-stack || echo \"it does not stand\"";
+
+pub(crate) const DROP: &str = "\
+Examples:
+  polhode drop part.stl -n 100 --density 7850 --pictures poses
+  polhode drop box:0.016,0.016,0.016 -n 60 --json
+  polhode drop example:box-drop -n 20 -o throws.csv";
+
+pub(crate) const JUDGE: &str = "\
+Examples:
+  polhode judge motion.csv scene.toml
+  polhode judge motion.csv scene.toml --no-truth -o judged.svg
+  polhode judge motion.csv scene.toml --tolerance 1e-6 --json";
 
 pub(crate) const CHECK: &str = "\
 Examples:

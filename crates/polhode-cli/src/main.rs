@@ -6,7 +6,7 @@
 //!
 //! | module | holds |
 //! |---|---|
-//! | `args` | the command line |
+//! | `args`, `drop_args` | the command line |
 //! | `abandoned` | what programs that were killed have left behind |
 //! | `failure` | [`Failure`]: what went wrong, and the exit code it means |
 //! | `run`, `plan`, `check`, `mesh`, `compare` | the commands; `run` has `resume` too |
@@ -31,6 +31,8 @@
 //! | `cost` | the command that sets error against computing time |
 //! | `sweep` | the command that runs a scene many times with other values |
 //! | `stands` | the command that says whether bodies stand |
+//! | `drop` | the command that says on which faces a body comes to rest |
+//! | `judge` | the command that judges a trajectory by the laws of a scene |
 //! | `scene` | loading the scene that a command names |
 //! | `text` | numbers, tables and reports for people |
 //! | `stdout`, `harmless` | writing results; text that does not steer a terminal |
@@ -62,6 +64,8 @@ mod compare;
 mod cost;
 mod demo;
 mod drawing;
+mod drop;
+mod drop_args;
 mod elastic;
 mod examples;
 mod failure;
@@ -70,6 +74,7 @@ mod heading;
 mod help;
 mod inputs;
 mod interrupt;
+mod judge;
 mod meant;
 mod mesh;
 mod pictures;
@@ -126,7 +131,9 @@ fn called(command: &Command, interrupt: &Interrupt) -> Result<(), Failure> {
         Command::Plan(args) => plan::plan(args),
         Command::Cost(args) => cost::cost(args, interrupt),
         Command::Sweep(args) => sweep::sweep(args, interrupt),
-        Command::Stands(args) => stands::stands(args),
+        Command::Drop(args) => drop::drop(args, interrupt),
+        Command::Judge(args) => judge::judge(args),
+        Command::Stands(args) => stands::stands(args, interrupt),
         Command::Check(args) => check::check(args),
         Command::Mesh(args) => mesh::mesh(args),
         Command::Elastic(args) => elastic::elastic(args),

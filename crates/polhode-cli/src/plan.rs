@@ -17,6 +17,7 @@ pub(crate) fn plan(args: &PlanArgs) -> Result<(), Failure> {
     let accelerations = simulation.accelerations().map_err(|error| scene::failed(&loaded, error))?;
     let stability = stability(args, &loaded)?;
     drop(progress);
+    scene::tell_of_robots(&loaded);
     let plan = scene::with_origins(&loaded, simulation.plan());
     if args.json {
         let mut value = plan_with_accelerations_json(&loaded.scene, &plan, &accelerations);

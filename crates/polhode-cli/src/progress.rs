@@ -48,6 +48,8 @@ struct Shared {
     ended: Condvar,
     /// Bits of the time reached (s), or the number of parts done.
     reached: AtomicU64,
+    /// Events since the time was reached: an instant with many is crowded.
+    events: AtomicU64,
     /// Whether the energies should be looked at.
     wants_look: AtomicBool,
 }
@@ -84,6 +86,7 @@ impl Progress {
             work: Mutex::new(Some((Work::Named(what), Instant::now()))),
             ended: Condvar::new(),
             reached: AtomicU64::new(0),
+            events: AtomicU64::new(0),
             wants_look: AtomicBool::new(false),
         });
         if verbosity::asked() == Verbosity::Quiet {
@@ -112,7 +115,15 @@ impl Progress {
 
     /// The time reached, s.
     pub(crate) fn advance(&self, t_s: f64) {
-        self.shared.reached.store(t_s.to_bits(), Ordering::Relaxed);
+        let before = self.shared.reached.swap(t_s.to_bits(), Ordering::Relaxed);
+        if before != t_s.to_bits() {
+            self.shared.events.store(0, Ordering::Relaxed);
+        }
+    }
+
+    /// An event has been found at the time reached, or behind it.
+    pub(crate) fn happened(&self) {
+        self.shared.events.fetch_add(1, Ordering::Relaxed);
     }
 
     /// One part is done.
@@ -159,6 +170,7 @@ impl Shared {
     fn tell(&self, telling: Telling) {
         let pause = if telling == Telling::Drawn { BETWEEN_DRAWINGS } else { BETWEEN_LOOKS };
         let (mut looked, mut told) = (Instant::now(), Instant::now());
+        let mut past = Past::default();
         let mut work = self.work();
         while work.is_some() {
             // What is over at once is not told.
@@ -169,7 +181,8 @@ impl Shared {
                 looked = Instant::now();
             }
             let reached = self.reached.load(Ordering::Relaxed);
-            let parts = present.parts(reached, since.elapsed());
+            let seen = past.seen(since, since.elapsed(), present.done(reached), self.events.load(Ordering::Relaxed));
+            let parts = present.parts(reached, since.elapsed(), &seen);
             // The width is asked for every time: a terminal can be resized.
             if telling == Telling::Drawn {
                 terminal::draw(&drawn(present.fraction(reached), &parts, terminal::width().unwrap_or_default()));
@@ -222,8 +235,16 @@ impl Work {
         }
     }
 
+    /// By how much a run has gone on, s; 0 of other work.
+    fn done(&self, reached: u64) -> f64 {
+        match *self {
+            Self::Run { from_s, .. } => f64::from_bits(reached) - from_s,
+            Self::Named(_) | Self::Parts { .. } => 0.0,
+        }
+    }
+
     /// Where it is, in the order in which it is told.
-    fn parts(&self, reached: u64, elapsed: Duration) -> Vec<Part> {
+    fn parts(&self, reached: u64, elapsed: Duration, seen: &Seen) -> Vec<Part> {
         let wall_s = elapsed.as_secs_f64();
         let part = |rank: u8, text: String| Part { rank, text };
         let after = part(4, format!("after {}", time(wall_s)));
@@ -233,11 +254,14 @@ impl Work {
             Self::Run { from_s, to_s, energy_error } => {
                 let (t, rate) = (f64::from_bits(reached), (f64::from_bits(reached) - from_s) / wall_s);
                 let mut parts = vec![part(0, format!("t = {} of {to_s} s", time_reached(t, to_s))), after];
+                if let Some(events) = seen.crowd {
+                    parts.push(part(1, format!("a crowded instant: {events} events in it so far")));
+                }
                 if rate > 0.0 {
                     let rate: f64 = format!("{rate:.2e}").parse().unwrap_or(rate);
                     parts.push(part(2, format!("{} s/s", number(rate))));
-                    parts.push(part(1, format!("about {} left", time((to_s - t) / rate))));
-                } else {
+                    parts.extend(seen.rate().map(|rate| part(1, format!("about {} left", time((to_s - t) / rate)))));
+                } else if seen.crowd.is_none() {
                     parts.push(part(1, "the first step has not ended yet".to_owned()));
                 }
                 let error = |error: f64| if error == 0.0 { "0".to_owned() } else { format!("{error:.1e}") };
@@ -245,6 +269,47 @@ impl Work {
                 parts
             }
         }
+    }
+}
+
+/// Where the work was when it was looked at before.
+#[derive(Debug, Default)]
+struct Past {
+    /// When the work began.
+    since: Option<Instant>,
+    /// Wall time since then and simulated time since then, s.
+    looks: Vec<[f64; 2]>,
+}
+
+/// What several looks at a run show.
+#[derive(Debug, Default, Clone, Copy, PartialEq)]
+struct Seen {
+    /// Simulated time for wall time in the two halves of the wall time; none at the first look.
+    rates: Option<[f64; 2]>,
+    /// Events at the time reached, where it was the same at the look before and there are some.
+    crowd: Option<u64>,
+}
+
+impl Past {
+    /// Of a run that has gone on by a time (s), with so many events at the time reached.
+    fn seen(&mut self, since: Instant, elapsed: Duration, done_s: f64, events: u64) -> Seen {
+        if self.since != Some(since) {
+            *self = Self { since: Some(since), looks: Vec::new() };
+        }
+        let now = [elapsed.as_secs_f64(), done_s];
+        let is_same = self.looks.last().is_some_and(|last| last[1] == done_s);
+        let middle = self.looks.iter().rev().find(|look| look[0] <= 0.5 * now[0]);
+        let rates = middle.map(|at| [at[1] / at[0], (now[1] - at[1]) / (now[0] - at[0])]);
+        self.looks.push(now);
+        Seen { rates, crowd: (is_same && events > 0).then_some(events) }
+    }
+}
+
+impl Seen {
+    /// The rate of what is left, if that can be told: that of the latter half, where it is no more than twice or half
+    /// of that of the first. A run that has just begun, or that goes over to other work, tells none.
+    fn rate(&self) -> Option<f64> {
+        self.rates.filter(|[first, latter]| (0.5 * first..=2.0 * first).contains(latter)).map(|[_, latter]| latter)
     }
 }
 
@@ -275,7 +340,8 @@ mod tests {
     fn run(reached_s: f64, to_s: f64, after_s: u64) -> (Option<f64>, Vec<Part>) {
         let work = Work::Run { from_s: 0.0, to_s, energy_error: Some(1.5e-12) };
         let reached = reached_s.to_bits();
-        (work.fraction(reached), work.parts(reached, Duration::from_secs(after_s)))
+        let seen = Seen { rates: Some([reached_s / after_s as f64; 2]), crowd: None };
+        (work.fraction(reached), work.parts(reached, Duration::from_secs(after_s), &seen))
     }
 
     #[test]
@@ -329,7 +395,7 @@ mod tests {
     #[test]
     fn a_sweep_says_how_many_are_done() {
         let work = Work::Parts { what: "errors", count: 40 };
-        let line = drawn(work.fraction(10), &work.parts(10, Duration::from_secs(30)), 46);
+        let line = drawn(work.fraction(10), &work.parts(10, Duration::from_secs(30), &Seen::default()), 46);
         assert_eq!(line, "[###-----------] errors: 10 of 40, after 30 s");
     }
 
@@ -339,6 +405,27 @@ mod tests {
         assert_eq!(time_reached(0.25, 0.5), "0.250000");
         assert_eq!(time_reached(2e-10, 1e-9), "2.000000e-10");
         assert_eq!(time_reached(1e12, 1e15), "1.000000e12");
+    }
+
+    /// A run that begins slowly and goes on a hundred times as fast tells no time that is left until both halves agree.
+    #[test]
+    fn what_begins_slowly_does_not_take_for_ever() {
+        let since = Instant::now();
+        let mut past = Past::default();
+        let mut look = |after_s: u64, done_s: f64| past.seen(since, Duration::from_secs(after_s), done_s, 7);
+        assert_eq!(look(2, 0.001).rate(), None);
+        assert_eq!(look(4, 0.5).rate(), None, "the latter half is far faster");
+        assert_eq!(look(8, 1.5).rate(), Some(0.25));
+        assert_eq!(look(9, 1.5).crowd, Some(7), "the same time again");
+        assert_eq!(look(10, 1.6).crowd, None);
+    }
+
+    #[test]
+    fn a_crowded_instant_says_so() {
+        let work = Work::Run { from_s: 0.0, to_s: 2.0, energy_error: None };
+        let seen = Seen { rates: None, crowd: Some(1234) };
+        let line = joined(&work.parts(0.5_f64.to_bits(), Duration::from_secs(10), &seen));
+        assert_eq!(line, "t = 0.500000 of 2 s, after 10 s, a crowded instant: 1234 events in it so far, 0.05 s/s");
     }
 
     #[test]

@@ -128,15 +128,17 @@ pub(crate) fn change(option: &str, text: &str) -> Result<Override, Failure> {
     })
 }
 
-/// Says that robot files have something that is simulated otherwise, or not at all.
+/// Says that robot files have something that drives their joints, is simulated otherwise, or not at all.
 pub(crate) fn tell_of_robots(loaded: &LoadedScene) {
-    let (ignored, differ): (Vec<_>, Vec<_>) =
-        loaded.findings().partition(|finding| finding.severity() == Severity::Ignored);
-    if !(ignored.is_empty() && differ.is_empty()) {
-        let (name, differ, ignored) = (loaded.scene.name(), differ.len(), ignored.len());
+    let name = loaded.scene.name();
+    let count = |severity: Severity| loaded.findings().filter(|finding| finding.severity() == severity).count();
+    let (all, ignored, read) = (loaded.findings().count(), count(Severity::Ignored), count(Severity::Read));
+    if all > 0 {
+        let differ = all - ignored - read;
+        let drives = if read == 0 { String::new() } else { format!(", and {read} are read that drive it") };
         failure::remark(&format!(
             "note: {name}: of what its robot files say {differ} things are simulated otherwise and {ignored} are \
-             ignored: `polhode check` lists them"
+             ignored{drives}: `polhode check` lists them"
         ));
     }
 }

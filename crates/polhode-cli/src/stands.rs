@@ -1,69 +1,100 @@
-//! `polhode stands`: whether bodies stand, how firmly, what moves first, and what each contact carries.
-//!
-//! A scene stands when limit analysis (`polhode::stability`) finds forces within the cones of friction that hold all
-//! bodies at rest, and none moves in the first step. The two are independent: one solves for forces, the other
-//! integrates.
+//! `polhode stands`: whether bodies stand, how firmly, what moves first, and what each contact carries; or up to which
+//! value of a key they stand. The answers are those of [`polhode_study::stands`].
 
-use crate::args::{SceneArgs, StandsArgs};
+use crate::abandoned;
+use crate::args::StandsArgs;
 use crate::failure::Failure;
+use crate::interrupt::Interrupt;
+use crate::plots::{cannot_write, is_plot};
 use crate::progress::Progress;
 use crate::scene::{self, SceneText};
 use crate::stdout;
-use crate::text::stands::{self, Standing};
-use polhode::{BodyId, BodySample, Effects, ErrorEstimation, Simulation, SimulationError};
-use polhode_scene::{LoadedScene, Override};
-use polhode_study::Threads;
-use std::sync::Arc;
-
-/// A body moves that is this part as fast as one that falls, at least (no unit, 1e-6 to 1e-2): what stands is held to
-/// the residual of its contact problem.
-const MOVES: f64 = 1e-3;
+use crate::text::stands;
+use polhode::Scene;
+use polhode_scene::{AtomicFile, Override};
+use polhode_study::stands::{Interval, Question, Standing, StandsError, bisection_json, standing_json};
+use polhode_view::plot::{HingeMark, MechanismPlot};
+use std::io::Write as _;
+use std::path::Path;
 
 /// Says whether the bodies stand; exit code 1 where they do not.
-pub(crate) fn stands(args: &StandsArgs) -> Result<(), Failure> {
+pub(crate) fn stands(args: &StandsArgs, interrupt: &Interrupt) -> Result<(), Failure> {
+    let text = SceneText::of(&args.scene.scene)?;
+    let given = scene::overrides(&args.scene.changes)?;
+    let load = |changes: &[Override]| text.load(changes);
+    let question = Question { load: &load, given: &given };
+    if let Some(interval) = &args.bisect {
+        return bisect(args, &question, interval, interrupt);
+    }
+    if let Some(path) = args.picture.as_deref().filter(|path| !is_plot(path)) {
+        return Err(Failure::Usage(format!("error: {}: unknown ending; accepted: .svg", path.display())));
+    }
     let progress = Progress::new("looking for what holds the bodies");
-    let loaded = loaded(&args.scene)?;
-    let standing = found(&loaded).map_err(|error| scene::failed(&loaded, error))?;
+    let (loaded, standing) = question.standing()?;
     drop(progress);
+    if let Some(path) = &args.picture {
+        draw(path, &loaded.scene, &standing)?;
+    }
     if args.json {
-        stdout::json(&stands::json(&loaded.scene, &standing))?;
+        stdout::json(&standing_json(&loaded.scene, &standing))?;
     } else {
         stdout::text(&stands::page(&loaded.scene, &standing, args.contacts))?;
     }
     if standing.stands() { Ok(()) } else { Err(Failure::Check(String::new())) }
 }
 
-/// The scene: by time steps, unless it names a tier, since the most accurate one takes long over hundreds of contacts
-/// that move.
-fn loaded(args: &SceneArgs) -> Result<LoadedScene, Failure> {
-    let text = SceneText::of(&args.scene)?;
-    let mut changes = scene::overrides(&args.changes)?;
-    let loaded = text.load(&changes)?;
-    if loaded.scene.method().tier.is_some() {
-        return Ok(loaded);
+/// Finds the limit of a key.
+fn bisect(args: &StandsArgs, question: &Question<'_>, interval: &str, interrupt: &Interrupt) -> Result<(), Failure> {
+    let interval = Interval::parse(interval)?;
+    let name = question.loaded(&[])?.scene.name().to_owned();
+    let mut progress = Progress::new("looking for the limit");
+    interrupt.wait_for_steps();
+    let found = interval
+        .bisect(question, args.digits, || if interrupt.has_come() { Err(StandsError::Stopped) } else { Ok(()) });
+    progress.clear();
+    match found {
+        Err(StandsError::Stopped) => Err(Failure::Interrupted("the search was stopped".to_owned(), interrupt.code())),
+        found => {
+            let found = found?;
+            if args.json {
+                return stdout::json(&bisection_json(&name, &found));
+            }
+            stdout::text(&stands::limit(&name, &found))
+        }
     }
-    changes.push(Override::new("stands", "method.tier", "stepped"));
-    Ok(text.load(&changes)?)
 }
 
-/// Looks at the scene as it is, and at its first step.
-fn found(loaded: &LoadedScene) -> Result<Standing, SimulationError> {
-    // In space, also where the motion is planar: a push comes from any side.
-    let mut simulation = Simulation::with_effects(&loaded.scene, Effects::All)?.estimating(ErrorEstimation::Off);
-    simulation.set_executor(Arc::new(Threads::of_machine()));
-    let stability = simulation.stability()?;
-    // What touches nothing moves, and is in no analysis. Events at the start are steps of no length.
-    let t_s = loop {
-        let t_s = simulation.step()?.t_s;
-        if t_s > 0.0 {
-            break t_s;
-        }
+/// Draws the mechanism.
+fn draw(path: &Path, scene: &Scene, standing: &Standing) -> Result<(), Failure> {
+    let (bodies, hinges) = match &standing.mechanism {
+        Some(mechanism) => (&mechanism.bodies[..], &mechanism.hinges[..]),
+        None => (&[][..], &[][..]),
     };
-    let least = MOVES * loaded.scene.gravity().length() * t_s;
-    let speed_of = |own: &BodySample| own.velocity.linear.length() + own.velocity.angular.length();
-    let moves = |number: usize| loaded.scene.bodies().get(number).is_some_and(|body| !body.is_fixed());
-    let speeds = simulation.bodies().into_iter().enumerate().map(|(number, own)| (BodyId::new(number), speed_of(&own)));
-    let mut moving: Vec<(BodyId, f64)> = speeds.filter(|(body, speed)| moves(body.index()) && *speed > least).collect();
-    moving.sort_by(|a, b| b.1.total_cmp(&a.1));
-    Ok(Standing { stability, contacts: simulation.contacts(), moving: moving.into_iter().map(|own| own.0).collect() })
+    let marks: Vec<HingeMark> = hinges
+        .iter()
+        .map(|hinge| {
+            let moves = |body: &polhode::BodyId| bodies.iter().any(|own| own.body == *body);
+            let body = hinge.bodies.into_iter().find(moves).unwrap_or(hinge.bodies[0]);
+            HingeMark { body, place: hinge.middle_m() }
+        })
+        .collect();
+    let (title, subtitle) = stands::headings(scene, standing);
+    let plot = MechanismPlot { title: &title, subtitle: &subtitle, scene, bodies, hinges: &marks };
+    let mut file = AtomicFile::create(path).map_err(|error| cannot_write(path, &error))?;
+    abandoned::note(file.left_behind());
+    let written = file.write_all(plot.svg().as_bytes()).and_then(|()| file.commit());
+    written.map_err(|error| cannot_write(path, &error))
+}
+
+impl From<StandsError> for Failure {
+    fn from(error: StandsError) -> Self {
+        match error {
+            StandsError::Scene(error) => error.into(),
+            StandsError::Simulation { .. } => Self::Check(format!("error: {error}")),
+            StandsError::Interval(_) | StandsError::SameAtBothEnds { .. } => {
+                Self::Usage(format!("error: --bisect {error}"))
+            }
+            error => Self::Usage(format!("error: {error}")),
+        }
+    }
 }

@@ -11,7 +11,8 @@ use crate::watch::Watch;
 use crate::{browser, examples, inputs, scene, stdout};
 use polhode::{BodySample, Flow, Observer, Outcome, RunReport, Simulation, SimulationError};
 use polhode_scene::{
-    LoadedScene, TrajectoryError, TrajectoryReader, is_trajectory, page_report_json, shown_failure, shown_outcome,
+    LoadedScene, TrajectoryError, TrajectoryReader, is_boxes, is_trajectory, page_report_json, shown_failure,
+    shown_outcome,
 };
 use polhode_study::difference::energy_error;
 use polhode_view::animation::FPS;
@@ -268,7 +269,8 @@ fn note_cut_off(reader: &TrajectoryReader) {
 
 /// The runs that the command line names.
 fn runs(args: &ViewArgs, interval_s: f64) -> Result<Vec<ShownRun>, Failure> {
-    let (trajectories, scenes): (Vec<_>, Vec<_>) = args.files.iter().partition(|path| is_trajectory(path));
+    let (trajectories, scenes): (Vec<_>, Vec<_>) =
+        args.files.iter().partition(|path| is_trajectory(path) && !is_boxes(path));
     let changes = scene::overrides(&args.changes)?;
     let simulated = |path: &Path, changes: &[polhode_scene::Override], name: Option<String>| {
         let mut loaded = scene::load_changed(path, changes)?;

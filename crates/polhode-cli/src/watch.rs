@@ -23,6 +23,7 @@ impl Observer for Watch<'_> {
     }
 
     fn event(&mut self, event: &Event) {
+        self.bar.happened();
         self.observers.iter_mut().for_each(|observer| observer.event(event));
     }
 

@@ -19,6 +19,7 @@
 //! | [`mass_properties`] | [`solid_mass_properties`], [`hollow_mass_properties`] from an [`Amount`] |
 //! | [`primitives`] | box, sphere, ellipsoid, cylinder, cone, capsule, torus, half-ball |
 //! | | solid and hollow in closed form, and as meshes |
+//! | [`mod@prism`] | [`prism()`], [`wedge`]: solids over a polygon, and stones of an arch; [`PrismError`] |
 //! | [`frames`] | meshes about their centre of mass, along their principal axes |
 //! | [`monte_carlo`] | [`MonteCarlo`]: seeded estimates with standard errors, to set beside the exact values |
 //! | [`reference_point`] | what the thesis's choices of a reference point cost in accuracy |
@@ -84,6 +85,7 @@ pub mod off;
 pub mod ply;
 pub mod point_location;
 pub mod primitives;
+pub mod prism;
 pub mod read_error;
 pub mod reference_point;
 pub mod repair;
@@ -124,6 +126,7 @@ pub use primitives::{
     Capsule, Cone, Cuboid, Cylinder, Ellipsoid, HalfBall, Primitive, PrimitiveError, Refinement, Sphere, Torus,
     box_mesh, hollow_box, hollow_sphere, solid_box, solid_sphere,
 };
+pub use prism::{PrismError, prism, wedge};
 pub use read_error::{Place, ReadError, ReadErrorKind};
 pub use reference_point::{
     ReferencePoint, ReferencePointCost, compare_reference_points, compare_reference_points_hollow,

@@ -58,7 +58,20 @@ pub(crate) fn robot_of_file<'py>(py: Python<'py>, path: &Bound<'py, PyAny>) -> P
         told.set_item("coordinates", coordinates)?;
         Ok(told)
     });
+    let actuators = file.robot.actuators.iter().map(|own| {
+        let [lower, upper] = own.control_range.unwrap_or([f64::NEG_INFINITY, f64::INFINITY]);
+        let told = PyDict::new(py);
+        told.set_item("name", &own.name)?;
+        told.set_item("kind", &own.kind)?;
+        told.set_item("joint", &own.joint)?;
+        told.set_item("gear", own.gear)?;
+        told.set_item("control_range", (lower, upper))?;
+        Ok(told)
+    });
+    let keyframes: Vec<&str> = file.robot.keyframes.iter().map(|own| own.name.as_str()).collect();
     let told = PyDict::new(py);
+    told.set_item("actuators", actuators.collect::<PyResult<Vec<_>>>()?)?;
+    told.set_item("keyframes", keyframes)?;
     told.set_item("joints", joints.collect::<PyResult<Vec<_>>>()?)?;
     told.set_item("name", &file.robot.name)?;
     told.set_item("links", links)?;
@@ -85,6 +98,7 @@ fn coordinate<'py>(py: Python<'py>, own: &RobotCoordinate) -> PyResult<Bound<'py
         ("friction", own.friction),
         ("stiffness", own.stiffness),
         ("rest", own.rest),
+        ("effort_limit", own.effort_limit.as_ref().map_or(f64::INFINITY, |limit| limit.most)),
     ] {
         told.set_item(key, number)?;
     }

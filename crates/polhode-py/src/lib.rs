@@ -7,7 +7,9 @@
 //! | `recording` | the columns as arrays of numpy, without a copy |
 //! | `job` | work in a thread of its own, which Ctrl-C ends |
 //! | `run` | a run from its start to its end |
+//! | `judge` | trajectories judged by a scene, and compared |
 //! | `study` | which method reaches an accuracy, and what accuracy costs |
+//! | `drop` | on which faces a body comes to rest |
 //! | `show` | a run as a page, pictures and plots |
 //! | `telling` | what pages and plots tell of a run, kept while it goes on |
 //! | `drawn` | all plots of a run |
@@ -17,6 +19,7 @@
 //! | `arguments` | what Python gives, checked |
 //! | `contacts` | forces of friction and impacts, as functions of arrays |
 //! | `files` | meshes and robots from their files |
+//! | `stands` | whether a scene stands, and tables of boxes as scenes |
 //! | `functions` | parts of the library as functions of arrays |
 //! | `errors` | errors of the library as Python's exceptions |
 //!
@@ -26,16 +29,19 @@ mod actions;
 mod arguments;
 mod contacts;
 mod drawn;
+mod drop;
 mod errors;
 mod files;
 mod functions;
 mod job;
+mod judge;
 mod loaded;
 mod recorder;
 mod recording;
 mod run;
 mod show;
 mod simulation;
+mod stands;
 mod study;
 mod telling;
 mod views;
@@ -51,9 +57,13 @@ mod _polhode {
     #[pymodule_export]
     use super::contacts::{friction, impact_with_friction, impact_without_friction};
     #[pymodule_export]
+    use super::drop::rest_poses;
+    #[pymodule_export]
     use super::files::{doctor, material_keys, mesh_of_file, robot_of_file};
     #[pymodule_export]
     use super::functions::{mesh_report, rotate_free};
+    #[pymodule_export]
+    use super::judge::{compare, judge};
     #[pymodule_export]
     use super::loaded::Loaded;
     #[pymodule_export]
@@ -64,6 +74,8 @@ mod _polhode {
     use super::show::{gif, page, plot, still};
     #[pymodule_export]
     use super::simulation::{Simulation, Snapshot};
+    #[pymodule_export]
+    use super::stands::{boxes, stands};
     #[pymodule_export]
     use super::study::study;
     #[pymodule_export]

@@ -48,6 +48,26 @@ def test_a_robot_tells_its_links_joints_and_limits():
     assert [str(finding) for finding in robot.doctor()] == [str(finding) for finding in ph.doctor(ARM)]
 
 
+def test_joints_of_a_robot_are_driven():
+    servo_arm = ROOT / "fixtures" / "robots" / "servo-arm.xml"
+    robot = ph.Robot(servo_arm)
+    assert [(own.name, own.kind, own.joint) for own in robot.actuators] == [
+        ("shoulder_servo", "position", "shoulder"),
+        ("elbow_servo", "position", "elbow"),
+        ("wrist_motor", "motor", "wrist"),
+    ]
+    assert robot.actuators[0].control_range == (-2.0, 2.0) and robot.keyframes == ["raised", "swinging"]
+    scene = ph.Scene(duration=1.0)
+    swing = {"motion": {"sine": {"amplitude": 0.3, "frequency": 1.0}}}
+    scene.robot(servo_arm, keyframe="raised", controls={"wrist_motor": 0.0}, drives={"elbow": swing})
+    elbow = ph.run(scene).joints["elbow"].angle
+    assert abs(max(elbow) - min(elbow) - 0.6) < 1e-2
+    read = [finding for finding in ph.doctor(servo_arm) if finding.severity == "read"]
+    assert any(finding.subject == "actuator `shoulder_servo`" for finding in read)
+    arm = {own.name: own.effort_limit for joint in ph.Robot(ARM).joints for own in joint.coordinates}
+    assert arm["shoulder"] == 60.0
+
+
 def test_a_robot_stands_where_a_scene_does():
     robot = ph.Robot(ARM)
     run = ph.run(robot, duration=0.1)

@@ -61,15 +61,22 @@ def test_a_pallet_is_a_table_in_any_form(tmp_path):
 
 @pytest.mark.parametrize(
     "change, word",
-    [({"mass": "heavy"}, "heavy"), ({"x": float("nan")}, "nan"), ({"height": 1}, "height"), ({"z": None}, "None")],
+    [({"mass": "heavy"}, "heavy"), ({"x": float("nan")}, "nan"), ({"z": None}, "`z` is empty")],
 )
 def test_bad_tables_are_refused_with_their_row(change, word):
     with pytest.raises(ValueError, match=f"row 2.*{word}"):
         ph.boxes([PALLET[0], {**PALLET[1], **change}])
 
 
+def test_unnamed_boxes_are_named_as_by_the_program():
+    answer = ph.stands(ph.boxes([{**PALLET[0], "z": 1.0}]))
+    assert answer.first == ("box 1",)
+    with pytest.raises(ValueError, match="unknown column `height`"):
+        ph.boxes([{**PALLET[0], "height": 1}])
+
+
 def test_a_table_without_a_column_or_of_unlike_columns_is_refused():
-    with pytest.raises(ValueError, match="'mass' is missing"):
+    with pytest.raises(ValueError, match="`mass` is missing"):
         ph.boxes([{column: value for column, value in PALLET[0].items() if column != "mass"}])
     with pytest.raises(ValueError, match="different lengths"):
         ph.boxes({"x": [1, 2], "y": [1]})

@@ -7,6 +7,8 @@
 use crate::csv::{Fault, Records};
 use crate::error::SceneFileError;
 use std::fmt::Write as _;
+use std::fs::File;
+use std::io::BufReader;
 use std::path::Path;
 
 /// Columns that every box has.
@@ -15,7 +17,37 @@ const NUMBERS: [&str; 7] = ["size_x", "size_y", "size_z", "x", "y", "z", "mass"]
 /// Columns that it may have.
 const OPTIONAL: [&str; 3] = ["name", "friction", "yaw"];
 
-/// Whether a file is such a table, by its ending.
+/// Whether a file is such a table, by its ending and the names of its columns: a trajectory is CSV too.
+pub fn is_boxes(path: &Path) -> bool {
+    let has_columns = |file: File| {
+        let mut fields = Vec::new();
+        let is_read = Records::new(BufReader::new(file)).read(&mut fields).unwrap_or(false);
+        is_read && fields.iter().any(|name| own_name(name) == NUMBERS[0])
+    };
+    is_table(path) && File::open(path).is_ok_and(has_columns)
+}
+
+/// The keys of the scene of a table, as a scene file has them; `origin` is what errors call the table.
+///
+/// # Errors
+/// When a column is missing or unknown, or a field is none.
+pub fn boxes_json(origin: &Path, table: &[u8]) -> Result<serde_json::Value, SceneFileError> {
+    let text = scene_of(origin, table)?;
+    // What is written here is TOML.
+    toml::from_str(&text).map_err(|error| SceneFileError::Boxes {
+        path: origin.to_owned(),
+        line: 1,
+        what: error.message().to_owned(),
+        accepted: accepted(),
+    })
+}
+
+/// The name of a column without what surrounds it.
+fn own_name(field: &str) -> &str {
+    field.trim_start_matches('\u{feff}').trim()
+}
+
+/// Whether a file could be such a table, by its ending.
 pub(crate) fn is_table(path: &Path) -> bool {
     path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("csv"))
 }
@@ -35,8 +67,7 @@ pub(crate) fn scene_of(path: &Path, table: &[u8]) -> Result<String, SceneFileErr
         Err(Fault::Content(what)) => Err(refused(records.line(), what.to_owned())),
     };
     read(&mut fields)?;
-    let columns: Vec<String> =
-        fields.iter().map(|name| name.trim_start_matches('\u{feff}').trim().to_owned()).collect();
+    let columns: Vec<String> = fields.iter().map(|name| own_name(name).to_owned()).collect();
     let known = |name: &&String| NUMBERS.contains(&name.as_str()) || OPTIONAL.contains(&name.as_str());
     if let Some(unknown) = columns.iter().find(|name| !known(name)) {
         return Err(refused(1, format!("unknown column `{unknown}`")));

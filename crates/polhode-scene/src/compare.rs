@@ -6,7 +6,7 @@
 //! row, whatever their size.
 
 use crate::output::COLUMNS;
-use crate::trajectory_rows::{FIRST_NUMBER, Row, RowError, Rows};
+use crate::trajectory_rows::{FIRST_NUMBER, Row, RowError, Rows, Velocities};
 use polhode::{BodyError, BodySample};
 use std::path::{Path, PathBuf};
 use thiserror::Error;
@@ -149,7 +149,7 @@ pub fn compare_rows(
             return Err(CompareError::Tolerance(value));
         }
     }
-    let (mut a, mut b) = (Rows::open(a)?, Rows::open(b)?);
+    let (mut a, mut b) = (Rows::open(a, Velocities::Needed)?, Rows::open(b, Velocities::Needed)?);
     let column = |column| ColumnDifference { column, largest: 0.0, at: None, beyond: 0 };
     let mut comparison =
         Comparison { rows: 0, mismatch: None, columns: COLUMNS[FIRST_NUMBER..].iter().copied().map(column).collect() };

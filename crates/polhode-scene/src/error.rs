@@ -6,7 +6,7 @@ use crate::robot::RobotFileError;
 use polhode::SceneError;
 use polhode::contact::{ApproximateError, ShapeError};
 use polhode::dynamics::field::FieldError;
-use polhode::mesh::{MeshError, PrimitiveError};
+use polhode::mesh::{MeshError, PrimitiveError, PrismError};
 use polhode::scene::{FreedomError, GearError, LimitsError, MotionError, OverlapAtStart};
 use polhode::spatial::curve::CurveError;
 use polhode::spatial::{InertiaError, MassPropertiesError, RotationError, UnitVectorError};
@@ -227,6 +227,9 @@ pub enum Refusal {
     /// A prescribed motion has no kind, or several.
     #[error("a motion is exactly one of the kinds")]
     MotionKinds,
+    /// A prescribed motion of a coordinate has no kind, or several.
+    #[error("a motion of a coordinate is exactly one of the kinds")]
+    CoordinateMotionKinds,
     /// A joint has no kind, or several.
     #[error("a joint is exactly one of the kinds")]
     JointKinds,
@@ -317,6 +320,14 @@ pub enum Refusal {
         /// For what it has no meaning.
         what: &'static str,
     },
+    /// Two patterns of names drive one joint.
+    #[error("joint `{joint}` is driven by `{other}` too: its own name decides")]
+    DrivenTwice {
+        /// The joint.
+        joint: String,
+        /// The other pattern.
+        other: String,
+    },
     /// A body lacks a key.
     #[error("{what} needs {needed}")]
     Needs {
@@ -343,6 +354,17 @@ pub enum Refusal {
     /// A direction is refused.
     #[error(transparent)]
     Direction(#[from] UnitVectorError),
+    /// A mesh file bounds no solid.
+    #[error("{file}: {source}")]
+    Solid {
+        /// The file, as the scene names it.
+        file: String,
+        /// Why.
+        source: MeshError,
+    },
+    /// A prism or a wedge is refused.
+    #[error(transparent)]
+    Prism(#[from] PrismError),
     /// A shape is refused.
     #[error(transparent)]
     Shape(#[from] ShapeError),
@@ -423,6 +445,7 @@ impl Refusal {
                 Kinds::Shapes => Self::ShapeKinds,
                 Kinds::Forces => Self::ForceKinds,
                 Kinds::Motions => Self::MotionKinds,
+                Kinds::CoordinateMotions => Self::CoordinateMotionKinds,
                 Kinds::Joints => Self::JointKinds,
                 Kinds::Layouts => Self::LayoutKinds,
                 Kinds::Curves => Self::CurveKinds,
@@ -444,14 +467,19 @@ impl Refusal {
             Self::UnknownName { name, known, .. } => Some(format!("{}accepted: {known}", meant(name, known))),
             Self::Type { accepted, .. } => Some(format!("accepted: {accepted}")),
             Self::Scene(SceneError::InitialOverlap(pairs)) => mend(pairs),
-            Self::Mesh(MeshError::Seams { distance_m, .. }) => Some(format!(
-                "to merge them: `polhode mesh FILE --repair{} -o MENDED.obj`, and name that file here",
+            Self::Solid { file, source: MeshError::Seams { distance_m, .. } } => Some(format!(
+                "to merge them: `polhode mesh {file} --repair{} -o MENDED.obj`, and name that file here",
                 weld_tolerance(*distance_m)
+            )),
+            Self::Solid { file, source: MeshError::NotSolid(_) } => Some(format!(
+                "`polhode mesh {file}` shows where, `polhode mesh {file} --repair -o MENDED.obj` mends what can be \
+                 mended: name that file here"
             )),
             Self::Number { accepted, .. } => Some(format!("accepted: {accepted}")),
             Self::ShapeKinds => Some(format!("accepted: one of {}", crate::format::SHAPES)),
             Self::ForceKinds => Some(format!("accepted: one of {}", crate::format::FORCES)),
             Self::MotionKinds => Some(format!("accepted: one of {}", crate::format::MOTIONS)),
+            Self::CoordinateMotionKinds => Some(format!("accepted: one of {}", crate::format::COORDINATE_MOTIONS)),
             Self::JointKinds => Some(format!("accepted: one of {}", crate::format::JOINTS)),
             Self::CurveKinds => Some(format!("accepted: one of {}", crate::format::CURVES)),
             Self::LayoutKinds => Some(format!("accepted: one of {}", crate::format::LAYOUTS)),
@@ -459,6 +487,7 @@ impl Refusal {
             Self::NotYetAvailable { instead, .. } => Some(format!("use {instead}")),
             Self::Excludes { .. } => Some("give one of them".to_owned()),
             Self::DuplicateName(_) => Some("names must differ".to_owned()),
+            Self::DrivenTwice { .. } => Some("name the joint itself in `drives`".to_owned()),
             Self::Repeated(_) | Self::Meaningless { .. } => Some("remove it".to_owned()),
             _ => None,
         }
@@ -471,6 +500,7 @@ enum Kinds {
     Shapes,
     Forces,
     Motions,
+    CoordinateMotions,
     Joints,
     Layouts,
     Curves,
@@ -481,6 +511,8 @@ impl Kinds {
         let steps = path.steps();
         if steps.first() == Some(&Step::key("forces")) {
             Self::Forces
+        } else if steps.first() != Some(&Step::key("bodies")) && steps.last() == Some(&Step::key("motion")) {
+            Self::CoordinateMotions
         } else if steps.first() == Some(&Step::key("joints")) {
             Self::Joints
         } else if steps.first() == Some(&Step::key("tracks")) {
@@ -515,6 +547,7 @@ fn plain(text: &str, kinds: Kinds) -> String {
                 "a curve with its keys, such as curve.circle = { center = [0, 0, 0], axis = [0, 1, 0], \
                 radius = 1 }"
             }
+            Kinds::CoordinateMotions => "a motion with its keys, such as motion.rate = 1.0",
             Kinds::Motions => "a motion with its keys, such as motion.constant.velocity = [1, 0, 0]",
         }
         .to_owned(),

@@ -11,17 +11,18 @@
 //! | [`output`] | [`Outputs`]: trajectories as CSV, NPY and JSON, events and joints as CSV |
 //! | [`checkpoint`] | [`Checkpoint`]: a run that can be continued later |
 //! | [`mod@compare`] | [`compare`](compare()): two trajectories, number by number |
+//! | [`csv`] | comma-separated values |
 //! | [`trajectory`] | [`TrajectoryReader`]: a trajectory read back, held against its scene |
 //! | [`report`] | reports and plans as JSON |
 //! | [`shown`] | what pages and plots say of a run |
 //! | [`mesh_file`], [`mesh_report`] | mesh files; diagnosis and mass properties |
 //! | [`names`] | words for methods |
 //! | [`quantity`] | quantities of bodies, joints and contacts by name |
+//! | [`uncertain`] | what of a scene is uncertain, which a sweep draws |
 //! | `build` | from the format to the engine's scene |
 //! | `document` | a scene file that knows where each of its values stands |
 //! | `robot` | robots from URDF and MJCF files |
 //! | `boxes` | a table of boxes as a scene |
-//! | `csv` | comma-separated values |
 //! | `trajectory_rows` | the rows of a trajectory in a CSV file, read one by one |
 //! | `scaled_arrays` | the arrays of a scene with another number of bodies |
 //! | `mesh_file_error` | why a mesh file could not be used |
@@ -62,6 +63,7 @@
 
 pub mod checkpoint;
 pub mod compare;
+pub mod csv;
 pub mod error;
 pub mod format;
 pub mod load;
@@ -75,16 +77,17 @@ pub mod robot;
 pub mod schema;
 pub mod shown;
 pub mod trajectory;
+pub mod uncertain;
 
 mod boxes;
 mod build;
-mod csv;
 mod document;
 mod mesh_file_error;
 mod read;
 mod scaled_arrays;
 mod trajectory_rows;
 
+pub use boxes::{boxes_json, is_boxes};
 pub use checkpoint::{Checkpoint, CheckpointError};
 pub use compare::{CompareError, Comparison, RowPair, Tolerance, compare, compare_rows};
 pub use document::Override;
@@ -101,6 +104,7 @@ pub use report::{
 pub use schema::schema;
 pub use shown::{ended_line, methods_line, page_report_json, shown_failure, shown_outcome};
 pub use trajectory::{FilePlace, TRAJECTORY_ENDINGS, TrajectoryError, TrajectoryReader, is_trajectory};
+pub use uncertain::{Draw, Spread, StartPose, Uncertain};
 
 // The program in the README is compiled and run as a test.
 #[cfg(doctest)]

@@ -2,12 +2,13 @@
 
 use crate::boxes;
 use crate::build::{self, Built, PlacedRobot};
-use crate::document::{Document, Override};
+use crate::document::{Document, KeyPath, Override};
 use crate::error::{Refusal, SceneFileError};
 use crate::format::{ArrayEntry, SceneFile};
 use crate::mesh_file::MeshFolder;
 use crate::read;
 use crate::robot::{self, Finding};
+use crate::uncertain::Uncertain;
 use polhode::{Scene, SceneError};
 use std::path::{Path, PathBuf};
 
@@ -23,6 +24,7 @@ pub struct LoadedScene {
     file: SceneFile,
     meshes: MeshFolder,
     robots: Vec<PlacedRobot>,
+    uncertain: Vec<Uncertain>,
 }
 
 impl LoadedScene {
@@ -34,6 +36,11 @@ impl LoadedScene {
         of_bodies.chain(of_arrays).for_each(|shape| shape.add_files(&mut files));
         let of_shapes = files.into_iter().filter_map(|file| self.meshes.path(file));
         of_shapes.chain(self.robots.iter().flat_map(|robot| robot.robot.all_files())).collect()
+    }
+
+    /// What is uncertain, in the order of the file: the scene has what it says, and a sweep draws these.
+    pub fn uncertain(&self) -> &[Uncertain] {
+        &self.uncertain
     }
 
     /// The arrays of the file.
@@ -178,5 +185,30 @@ pub fn load_with_meshes(
 
 fn from_document(document: Document, folder: &MeshFolder, name: &str) -> Result<LoadedScene, SceneFileError> {
     let (file, Built { scene, robots }) = document.read(|file| build::scene(file, folder, name))?;
-    Ok(LoadedScene { scene, document, file, meshes: folder.clone(), robots })
+    let uncertain = uncertain_of(&document, &file)?;
+    Ok(LoadedScene { scene, document, file, meshes: folder.clone(), robots, uncertain })
+}
+
+/// What is uncertain; the scene takes each of its keys.
+fn uncertain_of(document: &Document, file: &SceneFile) -> Result<Vec<Uncertain>, SceneFileError> {
+    if file.uncertain.is_empty() {
+        return Ok(Vec::new());
+    }
+    let all = build::uncertain(file, &|key| document.number(key)).map_err(|faults| document.refuse_all(faults))?;
+    let middle = |own: &Uncertain| match own {
+        Uncertain::Key { key, spread } => Some(Override::new("uncertain", key, spread.middle())),
+        Uncertain::Poses { .. } => None,
+    };
+    let changes: Vec<(usize, Override)> =
+        all.iter().enumerate().filter_map(|(number, own)| Some((number, middle(own)?))).collect();
+    let together: Vec<Override> = changes.iter().map(|(_, change)| change.clone()).collect();
+    if document.taken(&together).is_ok() {
+        return Ok(all);
+    }
+    let refused = changes.into_iter().filter_map(|(number, change)| {
+        let cause = document.taken(&[change]).err()?;
+        Some((KeyPath::element("uncertain", number).key("key"), cause))
+    });
+    let refused: Vec<_> = refused.collect();
+    if refused.is_empty() { Ok(all) } else { Err(document.refuse_all(refused)) }
 }

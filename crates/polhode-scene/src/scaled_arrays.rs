@@ -9,6 +9,8 @@
 //! | `grid` | the count along its longest row |
 //! | `pyramid` | its base |
 //! | `wall` | length and height by the same factor |
+//! | `ring` | the count, and the radius with it |
+//! | `arch` | the count |
 //! | `drop` | the count, and the height of the region with it |
 //!
 //! Numbers of bodies are whole, so that the scene has nearly as many as are asked for; how many is read from the scene
@@ -43,6 +45,8 @@ fn bodies_of(layout: &LayoutEntry) -> f64 {
         LayoutEntry::Grid(grid) => grid.counts.0.iter().map(|&count| f64::from(count)).product(),
         LayoutEntry::Pyramid(pyramid) => 0.5 * f64::from(pyramid.base) * (f64::from(pyramid.base) + 1.0),
         LayoutEntry::Wall(wall) => f64::from(wall.length) * f64::from(wall.height),
+        LayoutEntry::Ring(ring) => f64::from(ring.count),
+        LayoutEntry::Arch(arch) => f64::from(arch.count),
         LayoutEntry::Drop(drop) => f64::from(drop.count),
     }
 }
@@ -68,6 +72,12 @@ fn scaled(layout: &LayoutEntry, factor: f64) -> Vec<(&'static str, String)> {
             ("wall.length", whole(f64::from(wall.length) * factor.sqrt(), FEWEST_IN_COURSE)),
             ("wall.height", whole(f64::from(wall.height) * factor.sqrt(), 1.0)),
         ],
+        LayoutEntry::Ring(ring) => {
+            let count = ("ring.count", whole(f64::from(ring.count) * factor, 1.0));
+            let radius = ring.radius.map(|radius| ("ring.radius", format!("{:?}", radius * factor)));
+            std::iter::once(count).chain(radius).collect()
+        }
+        LayoutEntry::Arch(arch) => vec![("arch.count", whole(f64::from(arch.count) * factor, FEWEST_IN_COURSE))],
         LayoutEntry::Drop(drop) => {
             let [x, y, z] = drop.size.0;
             let size = format!("[{x:?}, {y:?}, {:?}]", z * factor.max(1.0));

@@ -11,6 +11,28 @@ use std::path::{Path, PathBuf};
 /// First of the columns that hold numbers.
 pub(crate) const FIRST_NUMBER: usize = 2;
 
+/// First of the columns that hold velocities.
+pub(crate) const FIRST_VELOCITY: usize = 9;
+
+/// Whether a trajectory must have velocities.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Velocities {
+    /// It must.
+    Needed,
+    /// Times and poses are enough.
+    MayBeAbsent,
+}
+
+impl Velocities {
+    /// How many columns a trajectory may have, those of errors apart.
+    pub(crate) fn widths(self) -> &'static [usize] {
+        match self {
+            Self::Needed => const { &[COLUMNS.len()] },
+            Self::MayBeAbsent => const { &[COLUMNS.len(), FIRST_VELOCITY] },
+        }
+    }
+}
+
 /// Number of columns that hold numbers.
 pub(crate) const NUMBERS: usize = COLUMNS.len() - FIRST_NUMBER;
 
@@ -67,24 +89,30 @@ pub(crate) struct Rows {
     path: PathBuf,
     records: Records<BufReader<File>>,
     error_columns: ErrorColumns,
+    /// How many columns there are, those of errors apart.
+    width: usize,
     fields: Vec<String>,
 }
 
 impl Rows {
     /// Opens a file and reads its first line, which must name the columns.
-    pub(crate) fn open(path: &Path) -> Result<Self, RowError> {
+    pub(crate) fn open(path: &Path, velocities: Velocities) -> Result<Self, RowError> {
         let file = File::open(path).map_err(|source| RowError::Read { path: path.to_owned(), source })?;
         let records = Records::new(BufReader::new(file));
         let error_columns = ErrorColumns::Absent;
-        let mut rows = Self { path: path.to_owned(), records, error_columns, fields: Vec::new() };
+        let width = COLUMNS.len();
+        let mut rows = Self { path: path.to_owned(), records, error_columns, width, fields: Vec::new() };
         let is_empty = !rows.read()?;
-        for error_columns in [ErrorColumns::Absent, ErrorColumns::Written] {
-            if rows.fields == [&COLUMNS, error_columns.names()].concat() {
-                return Ok(Self { error_columns, ..rows });
+        for (&width, error_columns) in
+            velocities.widths().iter().flat_map(|width| [(width, ErrorColumns::Absent), (width, ErrorColumns::Written)])
+        {
+            if rows.fields == [&COLUMNS[..width], error_columns.names()].concat() {
+                return Ok(Self { error_columns, width, ..rows });
             }
         }
         let what = if is_empty { "the file is empty: " } else { "" };
-        let (columns, more) = (COLUMNS.join(","), ERROR_COLUMNS.join(","));
+        let columns: Vec<String> = velocities.widths().iter().map(|&width| COLUMNS[..width].join(",")).collect();
+        let (columns, more) = (columns.join(", or "), ERROR_COLUMNS.join(","));
         Err(rows.content(format!("{what}the first line must be {columns}, or that and ,{more}")))
     }
 
@@ -100,7 +128,7 @@ impl Rows {
         if !self.read()? {
             return Ok(None);
         }
-        let needed = COLUMNS.len() + self.error_columns.names().len();
+        let needed = self.width + self.error_columns.names().len();
         if self.fields.len() != needed {
             let found = self.fields.len();
             return Err(self.content(format!("{found} columns, {needed} are needed{}", self.cut_off())));
@@ -110,16 +138,23 @@ impl Rows {
             field.parse().map_err(wrong)
         };
         let mut numbers = [0.0; NUMBERS];
-        for (own, (field, column)) in numbers.iter_mut().zip(self.fields.iter().zip(COLUMNS).skip(FIRST_NUMBER)) {
+        for (own, (field, column)) in
+            numbers.iter_mut().zip(self.fields.iter().zip(COLUMNS).take(self.width).skip(FIRST_NUMBER))
+        {
             *own = number(field, column)?;
         }
         let mut error = [f64::NAN; ERROR_COLUMNS.len()];
-        for (own, (field, column)) in error.iter_mut().zip(self.fields[COLUMNS.len()..].iter().zip(ERROR_COLUMNS)) {
+        for (own, (field, column)) in error.iter_mut().zip(self.fields[self.width..].iter().zip(ERROR_COLUMNS)) {
             *own = if field.is_empty() { f64::NAN } else { number(field, column)? };
         }
         let error = error_of(error).map_err(|reason| self.content(reason))?;
         let key = [std::mem::take(&mut self.fields[0]), std::mem::take(&mut self.fields[1])];
         Ok(Some(Row { key, numbers, error }))
+    }
+
+    /// Whether the file has velocities; else they are read as zero.
+    pub(crate) fn has_velocities(&self) -> bool {
+        self.width > FIRST_VELOCITY
     }
 
     /// The line, from 1, at which the last row read ends.

@@ -23,19 +23,25 @@
 //! | `runs` | all runs of a study |
 //! | [`study`] | all of it together |
 //! | [`json`] | the same as one JSON object |
+//! | [`stands`] | whether bodies stand, how firmly, and what moves first |
 //! | [`sweep`] | many runs with other values, and what is measured of each |
+//! | [`mod@drop`] | on which faces a body comes to rest, how often, and how hard it is struck |
+//! | [`mod@judge`] | a trajectory of any engine, judged by the laws of a scene |
 //! | [`error`] | [`StudyError`] |
 
 pub mod candidate;
 pub mod difference;
+pub mod drop;
 pub mod error;
 pub mod host;
 pub mod json;
+pub mod judge;
 pub mod ladder;
 pub mod law;
 pub mod options;
 pub mod reference;
 pub mod source;
+pub mod stands;
 pub mod study;
 pub mod sweep;
 pub mod threads;

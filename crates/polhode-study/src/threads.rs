@@ -1,8 +1,12 @@
-//! Threads for what a simulation computes side by side: the islands of a step, the margins of what stands.
+//! Threads for what is computed side by side: the islands of a step and the margins of what stands in a simulation;
+//! runs of a sweep and throws, whose results are taken in their order.
 
 use polhode::{Executor, Task};
+use std::collections::BTreeMap;
 use std::num::NonZeroUsize;
-use std::sync::{Mutex, PoisonError};
+use std::ops::Range;
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+use std::sync::{Mutex, PoisonError, mpsc};
 
 /// A number of threads, that of the caller among them. The others last as long as the tasks of one list; where the
 /// system gives none, the thread of the caller runs them all.
@@ -41,9 +45,61 @@ impl Executor for Threads {
     }
 }
 
+/// Computes each number of a range by so many workers, and gives the results to `take` in the order of the numbers. A
+/// worker for which there is none (`work` gives none) ends; those after it are not given.
+///
+/// # Errors
+/// Those of `take`, after which nothing more is computed.
+pub(crate) fn in_order<T: Send, E>(
+    numbers: Range<u64>,
+    workers: NonZeroUsize,
+    work: impl Fn(u64) -> Option<T> + Sync,
+    mut take: impl FnMut(T) -> Result<(), E>,
+) -> Result<(), E> {
+    let next = AtomicU64::new(numbers.start);
+    let is_over = AtomicBool::new(false);
+    let (send, receive) = mpsc::channel();
+    let work = |send: mpsc::Sender<(u64, T)>| {
+        while !is_over.load(Ordering::Relaxed) {
+            let number = next.fetch_add(1, Ordering::Relaxed);
+            if number >= numbers.end {
+                return;
+            }
+            let Some(made) = work(number) else { return };
+            if send.send((number, made)).is_err() {
+                return;
+            }
+        }
+    };
+    std::thread::scope(|scope| {
+        let mut begun = 0;
+        for _ in 0..workers.get() {
+            let send = send.clone();
+            begun += usize::from(std::thread::Builder::new().spawn_scoped(scope, || work(send)).is_ok());
+        }
+        if begun == 0 {
+            // The system gives no thread: this one computes first, and takes then.
+            work(send.clone());
+        }
+        drop(send);
+        let (mut awaited, mut kept) = (numbers.start, BTreeMap::new());
+        for (number, made) in receive {
+            kept.insert(number, made);
+            while let Some(made) = kept.remove(&awaited) {
+                if let Err(error) = take(made) {
+                    is_over.store(true, Ordering::Relaxed);
+                    return Err(error);
+                }
+                awaited += 1;
+            }
+        }
+        Ok(())
+    })
+}
+
 #[cfg(test)]
 mod tests {
-    use super::Threads;
+    use super::{Threads, in_order};
     use polhode::{Executor, Task};
     use std::num::NonZeroUsize;
 
@@ -55,6 +111,27 @@ mod tests {
             let tasks = counts.iter_mut().map(|count| Box::new(move || *count += 1) as Task<'_>);
             Threads(NonZeroUsize::MIN.saturating_add(number - 1)).run(tasks.collect());
             assert!(counts.iter().all(|&count| count == 1));
+        }
+    }
+
+    /// Results come in order and whole, for any number of workers; an error ends the work.
+    #[test]
+    fn results_come_in_order() {
+        for workers in [1, 3] {
+            let workers = NonZeroUsize::MIN.saturating_add(workers - 1);
+            let mut taken = Vec::new();
+            let all: Result<(), ()> = in_order(
+                5..40,
+                workers,
+                |number| Some(number * number),
+                |made| {
+                    taken.push(made);
+                    Ok(())
+                },
+            );
+            assert_eq!((all, taken), (Ok(()), (5..40).map(|number| number * number).collect::<Vec<u64>>()));
+            let ended = in_order(0..u64::MAX, workers, Some, |made| if made < 7 { Ok(()) } else { Err(made) });
+            assert_eq!(ended, Err(7));
         }
     }
 }

@@ -138,7 +138,7 @@
 //! | [`mod@plan`] | [`Plan`]: the decision about each [`Effect`], with its reason |
 //! | `accurate`, `stepped`, `fast`, `micro_collisions`, `penalty`, `thesis` | the tiers |
 //! | `error_estimate` | what runs beside a run say of its error |
-//! | `run` | [`Simulation`]: steps, runs, queries, actions, snapshots |
+//! | `run` | [`Simulation`]: steps, runs, queries, actions, snapshots; [`Evaluation`]: given states |
 //!
 //! This crate is all that a program needs to name: the crates below it are re-exported as [`contact`], [`dynamics`],
 //! [`mesh`], [`response`] and [`spatial`].
@@ -193,6 +193,7 @@ pub use report::run_report::{
 };
 pub use report::springs::{SpringImpact, SpringReport};
 
+pub use run::evaluation::{Evaluation, HeldState, MovableState, NearPair, NearPoint, StateEnergy};
 pub use run::simulation::{Simulation, StepEnd, StepOutcome};
 pub use run::stability;
 pub use run::stability::Stability;

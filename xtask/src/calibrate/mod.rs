@@ -3,9 +3,11 @@
 //!
 //! | module | holds |
 //! |---|---|
+//! | `costs` | what estimates cost, in instructions |
 //! | `page` | the document |
 //! | `figure` | its figure |
 
+mod costs;
 mod figure;
 mod page;
 
@@ -39,6 +41,9 @@ pub(crate) struct Options {
     /// Find the horizons of chaotic scenes instead.
     #[arg(long)]
     horizons: bool,
+    /// Count the instructions of scenes that ship instead, with estimates and without (needs valgrind).
+    #[arg(long, conflicts_with = "horizons")]
+    costs: bool,
     /// Write document and figure below this folder.
     #[arg(long)]
     write: Option<PathBuf>,
@@ -58,6 +63,9 @@ pub(crate) fn run(options: &Options, root: &Path) -> Result<ExitCode, Box<dyn Er
     let start = Instant::now();
     if options.horizons {
         return Ok(find_horizons(options, root));
+    }
+    if options.costs {
+        return costs::print(options, root);
     }
     let all = calibration::all(root, options.draw);
     let is_meant = |known: &&Known| options.only.as_ref().is_none_or(|only| known.name.starts_with(only.as_str()));

@@ -1,5 +1,6 @@
 //! The table as CSV (RFC 4180): one row for every candidate, also for those that failed.
 
+use polhode_scene::csv::quoted;
 use polhode_study::study::{Entry, Measured, Study};
 use std::fmt::Write as _;
 
@@ -102,15 +103,6 @@ fn numbers(study: &Study, entry: &Entry, measured: &Measured) -> [String; NUMBER
 /// The fewest digits that give the same bits when read.
 fn digits(number: f64) -> String {
     format!("{number:?}")
-}
-
-/// A field, in quotes when it holds a comma, a quote or a line's end.
-fn quoted(field: &str) -> String {
-    if field.contains([',', '"', '\n', '\r']) {
-        format!("\"{}\"", field.replace('"', "\"\""))
-    } else {
-        field.to_owned()
-    }
 }
 
 #[cfg(test)]

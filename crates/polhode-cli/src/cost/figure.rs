@@ -75,8 +75,8 @@ fn curves(study: &Study, target: Option<f64>) -> Vec<CostCurve> {
             _ if is_in(&ties, entry) => Rank::Tie,
             _ => Rank::Plain,
         };
-        let (cost, spread) = (measured.cost(), measured.spread());
-        let point = CostPoint { cost, spread, error, on_front: measured.on_front, rank };
+        let (cost, spread, estimated) = (measured.cost(), measured.spread(), measured.estimated);
+        let point = CostPoint { cost, spread, error, estimated, on_front: measured.on_front, rank };
         match curves.iter_mut().find(|curve| curve.name == entry.candidate.series) {
             Some(curve) => curve.points.push(point),
             None => curves.push(CostCurve { name: entry.candidate.series.clone(), points: vec![point] }),

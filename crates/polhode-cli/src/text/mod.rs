@@ -7,10 +7,14 @@
 //! | `stability` | how far bodies at rest are from moving |
 //! | `mesh`, `mesh_studies` | a mesh; reference points and Monte Carlo estimates |
 //! | `comparison` | two trajectories |
+//! | `drop` | on which faces a body comes to rest |
 //! | `stands` | whether bodies stand |
+//! | `judge` | what is found of a trajectory |
 //! | `sweep` | what the runs of a sweep say together |
 
 mod comparison;
+pub(crate) mod drop;
+pub(crate) mod judge;
 mod mesh;
 mod mesh_studies;
 mod report;

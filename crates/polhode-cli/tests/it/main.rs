@@ -6,12 +6,14 @@ mod bad_input;
 mod check;
 mod compare;
 mod cost;
+mod drop;
 mod elastic;
 mod every_day;
 #[cfg(unix)]
 mod help_examples;
 #[cfg(unix)]
 mod interrupts;
+mod judge;
 mod mechanisms;
 mod mesh;
 mod plan;
@@ -23,6 +25,7 @@ mod run;
 mod second_opinion;
 mod stands;
 mod sweep;
+mod uncertain;
 mod usage;
 mod view;
 mod view_bad_input;

@@ -57,3 +57,31 @@ fn runs() {
     let run = place.expect(2, &["run", "arm.urdf", "--duration", "0.1", "-o", "arm.urdf"]);
     assert!(!run.stderr.is_empty() && place.read("arm.urdf").starts_with("<?xml"), "{}", run.stderr);
 }
+
+/// `check` says what each actuator and each drive does, in numbers and units; what names nothing exits with 2 and the
+/// nearest names.
+#[test]
+fn drives() {
+    let place = Place::new();
+    for name in ["arm.urdf", "servo-arm.xml"] {
+        place.write(name, &std::fs::read_to_string(fixture(&format!("robots/{name}"))).unwrap());
+    }
+    let run = place.expect(0, &["check", "servo-arm.xml", "--set", "models.0.keyframe=raised"]);
+    for part in [
+        "servo-arm.xml:26:5: read: actuator `shoulder_servo`: <position> at joint `shoulder`, control -0.8: to -0.8 \
+         rad, stiffness 200 N m/rad, damping 12 N m s/rad, at most 60 N m\n",
+        "actuator `wrist_motor`: <motor> at joint `wrist`, control 0.02: 0.1 N m\n",
+        "ignored: robot: `timestep=\"0.002\"` of <option>: ",
+    ] {
+        assert!(run.stdout.contains(part), "{}", run.stdout);
+    }
+    let driven = ["check", "arm.urdf", "--set", "models.0.drives.elbow.motor.effort=50"];
+    let run = place.expect(0, &driven);
+    let bounded = "joint `elbow`: driven by the scene: 50 N m, at most 30 N m (`effort` of <limit> in its file)";
+    assert!(run.stdout.contains(bounded), "{}", run.stdout);
+    let run = place.expect(2, &["check", "arm.urdf", "--set", "models.0.drives.elbo.motor.effort=50"]);
+    assert!(run.stderr.contains("no hinge or slider is named `elbo`"), "{}", run.stderr);
+    assert!(run.stderr.contains("did you mean `elbow`?"), "{}", run.stderr);
+    let run = place.expect(2, &["plan", "servo-arm.xml", "--set", "models.0.controls.wrist_moto=1"]);
+    assert!(run.stderr.contains("did you mean `wrist_motor`?"), "{}", run.stderr);
+}

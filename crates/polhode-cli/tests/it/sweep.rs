@@ -90,6 +90,29 @@ fn the_same_bytes_however_it_is_computed() {
     assert_eq!(stdout.lines().collect::<Vec<_>>(), whole.lines().skip(1).collect::<Vec<_>>());
 }
 
+/// A sweep that is killed goes on to the same bytes.
+#[test]
+fn a_killed_sweep_goes_on_to_the_same_bytes() {
+    let place = Place::with_scene(SLIDE);
+    let many = |output| {
+        let mut args = drawn(output, &[]);
+        args[6] = "400";
+        args
+    };
+    place.expect(0, &many("whole.csv"));
+    let whole = place.read("whole.csv");
+    let mut begun = place.command(&many("killed.csv")).spawn().unwrap();
+    let lines = || std::fs::read_to_string(place.path("killed.csv")).map_or(0, |text| text.lines().count());
+    while lines() < 20 && begun.try_wait().unwrap().is_none() {
+        std::thread::sleep(std::time::Duration::from_millis(1));
+    }
+    begun.kill().unwrap();
+    begun.wait().unwrap();
+    assert!(whole.starts_with(&place.read("killed.csv")), "whole lines, and what a kill has cut off");
+    place.expect(0, &many("killed.csv"));
+    assert_eq!(place.read("killed.csv"), whole);
+}
+
 /// A run that is refused or fails is a row with its reason; where all do, the exit code says so.
 #[test]
 fn what_fails_is_a_row() {
@@ -123,7 +146,6 @@ fn mistakes_are_told_and_nothing_is_overwritten() {
         (2, &["materials.ice.friction=0.1", "--measure", "largest(energy.kinetic)"], "accepted"),
         (2, &["materials.ice.friction=0.1", "--measure", "count(events.impcat)"], "impact"),
         (2, &["materials.ice.friction=0.1", "--shard", "9/8", "-o", "table.csv"], "2/8"),
-        (2, &["materials.ice.friction=0.1", "-o", "table.parquet"], "CSV"),
     ] {
         let run = place.expect(code, &[&vary[..], rest].concat());
         assert!(run.stderr.contains(told), "{rest:?}: {}", run.stderr);

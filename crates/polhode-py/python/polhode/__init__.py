@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING, Any
 from ._contacts import FrictionSolution, Impact, impact, solve_friction
 from ._cost import Accuracy, Candidate, Cost, cost
 from ._distributions import Choice, Distribution, LogNormal, Normal, Uniform
+from ._drop import RestFace, RestPoses, rest_poses
 from ._errors import (
     ActionError,
     Busy,
@@ -36,6 +37,7 @@ from ._errors import (
 from ._estimate import RunError, TrackError
 from ._functions import doctor, mass_properties, rotate_free
 from ._joints import Ball, Cylindrical, FixedJoint, Hinge, Joint, OnTrack, Planar, Rod, Rope, Screw, Slider, Universal
+from ._judge import Comparison, Judgement, compare, judge
 from ._polhode import (
     BodyState,
     Contact,
@@ -48,10 +50,25 @@ from ._polhode import (
     StepOutcome,
     __version__,
 )
-from ._robot import Robot, RobotCoordinate, RobotJoint, RobotLink
+from ._robot import Robot, RobotActuator, RobotCoordinate, RobotJoint, RobotLink
 from ._run import Energies, Joints, JointTrack, Run, Track, run
 from ._scene import Body, JointHandle, Scene
-from ._shapes import Box, Capsule, Compound, Cone, Convex, Cylinder, HalfSpace, Mesh, Points, Shape, Sphere, Torus
+from ._shapes import (
+    Box,
+    Capsule,
+    Compound,
+    Cone,
+    Convex,
+    Cylinder,
+    HalfSpace,
+    Mesh,
+    Points,
+    Prism,
+    Shape,
+    Sphere,
+    Torus,
+    Wedge,
+)
 from ._show import Gif, Page, Plot, Still
 from ._simulation import Simulation
 from ._stands import Standing, boxes, stands
@@ -82,6 +99,7 @@ __all__ = [
     "Candidate",
     "Capsule",
     "Choice",
+    "Comparison",
     "Compound",
     "Cone",
     "Contact",
@@ -106,6 +124,7 @@ __all__ = [
     "JointLoad",
     "JointTrack",
     "Joints",
+    "Judgement",
     "LogNormal",
     "Mean",
     "Mesh",
@@ -119,8 +138,12 @@ __all__ = [
     "Planar",
     "Plot",
     "Points",
+    "Prism",
     "PolhodeError",
+    "RestFace",
+    "RestPoses",
     "Robot",
+    "RobotActuator",
     "RobotCoordinate",
     "RobotJoint",
     "RobotLink",
@@ -151,12 +174,16 @@ __all__ = [
     "Universal",
     "UnknownName",
     "ViewError",
+    "Wedge",
     "__version__",
     "boxes",
+    "compare",
     "cost",
     "doctor",
     "impact",
+    "judge",
     "mass_properties",
+    "rest_poses",
     "rotate_free",
     "run",
     "solve_friction",

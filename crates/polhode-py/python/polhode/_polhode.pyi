@@ -23,19 +23,24 @@ __all__ = [
     "Snapshot",
     "StepOutcome",
     "__version__",
+    "boxes",
+    "compare",
     "doctor",
     "gif",
     "impact_with_friction",
     "impact_without_friction",
+    "judge",
     "material_keys",
     "mesh_of_file",
     "mesh_report",
     "page",
     "plot",
+    "rest_poses",
     "robot_of_file",
     "rotate_free",
     "run",
     "solve_friction",
+    "stands",
     "still",
     "study",
 ]
@@ -124,6 +129,18 @@ def page(recording: Recording, least_interval: float, told: _Told) -> str: ...
 def plot(recording: Recording, names: Sequence[str], told: _Told) -> str: ...
 def still(recording: Recording, t: float | None, asked: Mapping[str, Any], told: _Told) -> bytes: ...
 def gif(recording: Recording, fps: float | None, asked: Mapping[str, Any], told: _Told) -> bytes: ...
+def judge(path: str, loaded: Loaded, tolerance: float, truth: bool) -> str:
+    """What is found of a trajectory as JSON, as ``polhode judge --json`` prints it."""
+
+def compare(a: str, b: str, atol: float, rtol: float) -> str:
+    """The largest difference of every column of two trajectories as JSON."""
+
+def stands(loaded: Loaded) -> str:
+    """Whether a scene stands, as JSON, as ``polhode stands --json`` prints it."""
+
+def boxes(table: str, origin: str | None = None) -> str:
+    """The keys of the scene of a table of boxes, as JSON."""
+
 def study(
     loaded: Loaded,
     all_effects: bool,
@@ -133,6 +150,16 @@ def study(
     budget_s: float | None = None,
 ) -> str:
     """The study of a scene as JSON, as ``polhode cost --json`` prints it."""
+
+def rest_poses(
+    loaded: Loaded,
+    body: str | None,
+    on: Loaded | None,
+    asked: tuple[int, int, float | None, float | None, Sequence[float] | None, float | None],
+    workers: int | None,
+    told: _Told,
+) -> str:
+    """The throws of a body as JSON, as ``polhode drop --json`` prints them."""
 
 
 @final

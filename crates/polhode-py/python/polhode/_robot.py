@@ -25,6 +25,20 @@ class RobotCoordinate(NamedTuple):
     stiffness: float
     #: Where the spring is at rest.
     rest: float
+    #: The largest effort of its motors, N m or N; infinite where the file has no bound.
+    effort_limit: float
+
+
+class RobotActuator(NamedTuple):
+    """A motor or a servo of an MJCF file at a joint."""
+
+    name: str
+    #: motor, position, velocity, damper or general.
+    kind: str
+    joint: str
+    gear: float
+    #: The least and the largest control; infinite where it has no range.
+    control_range: tuple[float, float]
 
 
 class RobotJoint(NamedTuple):
@@ -65,9 +79,10 @@ class Robot:
     >>> robot.link_names, robot.joint_names, robot.limits
     (['base', 'arm'], ['shoulder'], {'shoulder': (-1.5, 1.5)})
     >>> scene = ph.Scene(duration=0.5)
-    >>> added = scene.add(robot, base="fixed", configuration={"shoulder": 1.0})
+    >>> motor = {"position": 0.5, "stiffness": 90.0, "damping": 4.0}
+    >>> added = scene.add(robot, base="fixed", drives={"shoulder": {"motor": motor}})
     >>> run = ph.run(scene)
-    >>> bool(run.joints["shoulder"].angle[-1] != run.joints["shoulder"].angle[0])
+    >>> bool(run.joints["shoulder"].angle[-1] > 0.3)
     True
     """
 
@@ -77,6 +92,10 @@ class Robot:
     name: str
     links: list[RobotLink]
     joints: list[RobotJoint]
+    #: Its motors and servos that are simulated; ``controls={name: value}`` of a scene gives them controls.
+    actuators: list[RobotActuator]
+    #: Names of the states that its file gives; ``keyframe=name`` of a scene starts it in one.
+    keyframes: list[str]
     #: What differs from the file, and what of it is ignored; :meth:`doctor` examines more.
     findings: list[_polhode.Finding]
 
@@ -86,6 +105,8 @@ class Robot:
         self.name = told["name"]
         self.links = [RobotLink(*link) for link in told["links"]]
         self.joints = [_joint(**joint) for joint in told["joints"]]
+        self.actuators = [RobotActuator(**own) for own in told["actuators"]]
+        self.keyframes = told["keyframes"]
         self.findings = told["findings"]
 
     @property

@@ -199,17 +199,21 @@ class Scene:
         """A force, by its kind and keys in a scene file: ``scene.force("spring", bodies=[a, b], stiffness=100.0)``."""
         self._list("forces").append({"type": {kind: keys}})
 
-    def array(self, shape: Shape, layout: Mapping[str, Any], *, name: str | None = None, **keys: Any) -> str:
-        """Many equal bodies, NAME-1, NAME-2 and so on: ``layout={"pyramid": {"base": 10, "spacing": [0.44, 0.4]}}``."""
-        name = self._free_name(name, "arrays", shape.word)
+    def array(self, shape: Shape | None, layout: Mapping[str, Any], *, name: str | None = None, **keys: Any) -> str:
+        """Many equal bodies, NAME-1, NAME-2 and so on: ``layout={"pyramid": {"base": 10, "spacing": [0.44, 0.4]}}``.
+
+        An arch makes its own stones: its shape is ``None``.
+        """
+        name = self._free_name(name, "arrays", next(iter(layout), "array") if shape is None else shape.word)
         if "at" in keys:
             keys["position"] = keys.pop("at")
         self._with_material(keys)
-        self._list("arrays").append({"name": name, "layout": layout, "shape": shape.document, **keys})
+        self._list("arrays").append({"name": name, "layout": layout, **({} if shape is None else {"shape": shape.document}), **keys})
         return name
 
     def robot(self, file: str | os.PathLike[str], *, at: Vector = (0, 0, 0), **keys: Any) -> None:
-        """A robot from its file (URDF, MJCF); keys are those of ``models`` in a scene file."""
+        """A robot from its file (URDF, MJCF); keys are those of ``models`` in a scene file: ``drives`` of its joints,
+        ``keyframe`` and ``controls`` of an MJCF file, and others."""
         self._list("models").append({"file": os.fspath(file), "position": at, **keys})
 
     def track(self, name: str, curve: Mapping[str, Any], **keys: Any) -> str:

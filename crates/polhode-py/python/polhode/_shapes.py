@@ -86,6 +86,23 @@ class Torus(Shape):
         super().__init__("torus", major=major, minor=minor)
 
 
+class Prism(Shape):
+    """What lies over a polygon of corners (x, y), half of its height on either side of the xy plane."""
+
+    def __init__(self, polygon: Sequence[Sequence[float]], height: float) -> None:
+        super().__init__("prism", polygon=polygon, height=height)
+
+
+class Wedge(Shape):
+    """A stone of an arch: between two circles about the z axis and two planes through it, its middle towards +x.
+
+    Radii of its corners and width along z in m, the angle between its end faces in rad; its origin is on the axis.
+    """
+
+    def __init__(self, inner_radius: float, outer_radius: float, angle: float, width: float) -> None:
+        super().__init__("wedge", inner_radius=inner_radius, outer_radius=outer_radius, angle=angle, width=width)
+
+
 class Points(Shape):
     """Points that touch by themselves: corners without faces. Mass and inertia must be given."""
 

@@ -2,21 +2,22 @@
 
 from __future__ import annotations
 
+import csv
+import io
+import json
 import math
 import os
 from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from ._scene import Body, Scene
-from ._shapes import Box, HalfSpace
-from ._simulation import Simulation
+from . import _polhode
+from ._scene import Scene, load
 
 if TYPE_CHECKING:
     from ._scene import SceneLike
 
-#: Columns of a table of boxes that each box has: edge lengths and centre, m, and mass, kg.
-_NUMBERS = ("size_x", "size_y", "size_z", "x", "y", "z", "mass")
-#: Columns that may be absent: a name, the coefficient of friction (no unit), and the rotation about z, degrees.
+#: Columns of a table of boxes in which a value may be absent: a name, the coefficient of friction (no unit), and the
+#: rotation about z, degrees.
 _OPTIONAL = ("name", "friction", "yaw")
 
 
@@ -56,26 +57,15 @@ def stands(scene: SceneLike) -> Standing:
     >>> bool(answer), round(answer.push, 9), answer.first, answer.how
     (True, 0.25, ('column',), 'tips')
     """
-    simulation = Simulation(scene, error="off")
-    report = simulation.stability()
-    # Events at the start are steps of no length.
-    while simulation.step().t <= 0.0:
-        pass
-    moving = {name: _speed(state) for name, state in simulation.bodies().items()}
-    now = tuple(sorted((name for name, speed in moving.items() if speed > 0.0), key=lambda name: -moving[name]))
-    needed = report["friction_needed"]
-    if now or needed is None or needed > 1.0:
-        begins = [one["body"] for one in report["begins"]]
-        first = now or tuple(begins)
-        hows = {one["body"]: one["how"] for one in report["begins"]}
-        return Standing(False, needed, 0.0, 0.0, first, hows.get(first[0], "moves") if first else "", report)
+    answer = json.loads(_polhode.stands(load(scene, {})))
+    report: dict[str, Any] = answer["stability"]
+    first, how, needed = tuple(answer["first"]), answer["how"] or "", report["friction_needed"]
+    if not answer["stands"]:
+        return Standing(False, needed, 0.0, 0.0, first, how, report)
     margins = [(math.inf if push["of_weight"] == "any" else push["of_weight"], push) for push in report["pushes"]]
     push, weakest = min(margins, key=lambda margin: margin[0], default=(math.inf, None))
     tilt = math.nan if weakest is None or weakest["tilt_rad"] is None else weakest["tilt_rad"]
-    begins = [] if weakest is None else weakest["begins"]
-    return Standing(
-        True, needed, push, tilt, tuple(one["body"] for one in begins), begins[0]["how"] if begins else "", report
-    )
+    return Standing(True, needed, push, tilt, first, how, report)
 
 
 def boxes(table: Any, *, friction: float = 0.5, gravity: float = 9.81) -> Scene:
@@ -93,53 +83,34 @@ def boxes(table: Any, *, friction: float = 0.5, gravity: float = 9.81) -> Scene:
     >>> bool(answer), answer.first[0]
     (False, 'high')
     """
+    document = json.loads(_polhode.boxes(*_text(table)))
+    document["materials"]["boxes"]["friction"] = friction
     scene = Scene(gravity=gravity)
-    scene.fixed(HalfSpace(), name="floor", friction=friction)
-    for row, box in enumerate(_rows(table), 1):
-        _add(scene, row, box, friction)
+    scene.document.update({key: document[key] for key in ("materials", "bodies")})
     return scene
 
 
-def _add(scene: Scene, row: int, box: Mapping[str, Any], friction: float) -> Body:
-    unknown = sorted(set(box) - {*_NUMBERS, *_OPTIONAL})
-    missing = [column for column in _NUMBERS if column not in box]
-    if unknown or missing:
-        what = f"unknown column {unknown[0]!r}" if unknown else f"column {missing[0]!r} is missing"
-        raise ValueError(f"row {row}: {what}; accepted: {', '.join((*_NUMBERS, *_OPTIONAL))}")
-    size_x, size_y, size_z, x, y, z, mass = (_number(row, column, box[column]) for column in _NUMBERS)
-    keys: dict[str, Any] = {"friction": _number(row, "friction", _given(box, "friction", friction))}
-    yaw = math.radians(_number(row, "yaw", _given(box, "yaw", 0.0)))
-    if yaw != 0.0:
-        keys["rotation_vector"] = (0.0, 0.0, yaw)
-    name = _given(box, "name", None)
-    return scene.add(
-        Box(size_x, size_y, size_z), name=None if name is None else str(name), mass=mass, at=(x, y, z), **keys
-    )
+def _text(table: Any) -> tuple[str, str | None]:
+    """A table as CSV, and the file that it is from."""
+    if isinstance(table, (str, os.PathLike)):
+        with open(table, newline="", encoding="utf-8") as file:
+            return file.read(), os.fspath(table)
+    rows = list(_rows(table))
+    columns = list(dict.fromkeys(column for row in rows for column in row))
+    text = io.StringIO()
+    lines = csv.writer(text)
+    lines.writerow(columns)
+    lines.writerows([_field(column, row.get(column)) for column in columns] for row in rows)
+    return text.getvalue(), None
 
 
-def _given(box: Mapping[str, Any], column: str, otherwise: Any) -> Any:
-    value = box.get(column)
-    absent = value is None or value == "" or (isinstance(value, float) and math.isnan(value))
-    return otherwise if absent else value
-
-
-def _number(row: int, column: str, value: Any) -> float:
-    try:
-        number = float(value)
-    except (TypeError, ValueError):
-        number = math.nan
-    if not math.isfinite(number):
-        raise ValueError(f"row {row}, column {column!r}: {value!r} is not a finite number")
-    return number
+def _field(column: str, value: Any) -> Any:
+    """A field of a table: what is absent is empty, as is NaN in a column that may be."""
+    is_nan = isinstance(value, float) and math.isnan(value)
+    return "" if value is None or (is_nan and column in _OPTIONAL) else value
 
 
 def _rows(table: Any) -> Iterable[Mapping[str, Any]]:
-    if isinstance(table, (str, os.PathLike)):
-        import csv
-
-        with open(table, newline="", encoding="utf-8") as file:
-            rows: list[Mapping[str, Any]] = list(csv.DictReader(file))
-        return rows
     if hasattr(table, "to_dict") and hasattr(table, "columns"):
         records: list[Mapping[str, Any]] = table.to_dict("records")
         return records
@@ -149,7 +120,3 @@ def _rows(table: Any) -> Iterable[Mapping[str, Any]]:
             raise ValueError(f"columns of different lengths: {lengths}")
         return [dict(zip(table, values)) for values in zip(*table.values())]
     return list(table)
-
-
-def _speed(state: Any) -> float:
-    return math.hypot(*state.velocity) + math.hypot(*state.angular_velocity)

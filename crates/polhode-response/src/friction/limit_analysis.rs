@@ -15,6 +15,9 @@
 //!   the multipliers; Newton's method for its zero, kept between what misses and what does not, takes a few programmes.
 //!   `1 - m` is the reserve of friction, and the forces found have all of it.
 //!
+//! - **Collapse.** Where no forces in the cones hold it, the multipliers that show it (of Farkas' lemma) are a motion in
+//!   which no contact closes and the loads do work: one that begins.
+//!
 //! Symbols: `f` (N), `J` (no unit), `M` (kg), `a` (m/s^2), `l`, `m`, `mu`, `t` (no unit). Sources: Heyman 1966;
 //! Livesley 1978 (limit analysis as a programme); Whiting 2009 (how far a structure is from standing). Assumption:
 //! forces in the cones are enough. With friction a structure that can stand may still move when something starts it, so
@@ -141,6 +144,36 @@ impl<'a> Structure<'a> {
         let found = self.least_friction();
         #[cfg(feature = "census")]
         self.counted("friction limit", found.is_some());
+        Ok(found)
+    }
+
+    /// The motion that begins where no forces within the cones hold it: the factor is 1, and no forces are told. None
+    /// where it stands, or the interior point finds none.
+    ///
+    /// # Errors
+    /// None so far.
+    #[cfg_attr(feature = "census", track_caller)]
+    pub fn collapse(&self) -> Result<Option<Limit>, ResponseError> {
+        let nothing = vec![0.0; self.free.len()];
+        let Some(mut programme) = self.programme(1.0, Share::OfLoad(&nothing)) else { return Ok(None) };
+        let last = self.units.len();
+        programme.push(ConeRows::Nonnegative(1), &[(last, -1.0)], MOST_FACTOR);
+        let gradient = vec![0.0; last + 1];
+        let answer = least_cost(&gradient, &programme.entries, &programme.constant, &programme.cones);
+        let found = match answer {
+            ConeProgramme::Infeasible { multipliers, .. } => {
+                let balance: Vec<f64> =
+                    multipliers[..self.free.len()].iter().zip(&programme.sizes).map(|(z, size)| z / size).collect();
+                // The loads do work in the motion that begins: its sense is that in which `-z . a_0` is positive.
+                let work: f64 = balance.iter().zip(self.free).map(|(z, free)| -z * free).sum();
+                let balance = balance.iter().map(|z| z * work.signum()).collect();
+                let solved = Solved { last: 0.0, balance, slope: 0.0, parts: vec![0.0; last] };
+                Some(Limit { factor: 1.0, mechanism: self.mechanism(&solved), forces: vec![0.0; self.problem.len()] })
+            }
+            _ => None,
+        };
+        #[cfg(feature = "census")]
+        self.counted("collapse", found.is_some());
         Ok(found)
     }
 

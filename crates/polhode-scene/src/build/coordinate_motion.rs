@@ -21,7 +21,8 @@ pub(super) fn build(file: &SceneFile, faults: &mut Faults) -> Vec<(JointId, Coor
     motions
 }
 
-fn of_entry(entry: &CoordinateMotionEntry, path: &KeyPath) -> Result<CoordinateMotion, Fault> {
+/// The motion of an entry.
+pub(super) fn of_entry(entry: &CoordinateMotionEntry, path: &KeyPath) -> Result<CoordinateMotion, Fault> {
     match entry {
         CoordinateMotionEntry::Rate(rate) => {
             let path = path.key("rate");

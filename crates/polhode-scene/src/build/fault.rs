@@ -5,6 +5,7 @@ use crate::error::Refusal;
 use crate::format::Exactly;
 use glam::DVec3;
 use polhode::spatial::UnitVector;
+use std::collections::BTreeSet;
 
 /// A refusal and the path of the key it is about.
 pub(crate) type Fault = (KeyPath, Refusal);
@@ -27,8 +28,13 @@ impl Faults {
     /// Nothing is refused.
     ///
     /// # Errors
-    /// All that is.
-    pub(super) fn none(self) -> Result<(), Vec<Fault>> {
+    /// All that is: a file that many bodies name is refused once.
+    pub(super) fn none(mut self) -> Result<(), Vec<Fault>> {
+        let mut files = BTreeSet::new();
+        self.0.retain(|(_, cause)| {
+            let is_of_file = matches!(cause, Refusal::Solid { .. } | Refusal::MeshFile(_));
+            !is_of_file || files.insert(cause.to_string())
+        });
         if self.0.is_empty() { Ok(()) } else { Err(self.0) }
     }
 }

@@ -255,7 +255,7 @@ fn friction(entry: &JointFrictionEntry, coordinate: Coordinate, path: &KeyPath) 
 }
 
 /// A motor.
-fn motor(entry: &MotorEntry, path: &KeyPath) -> Result<Motor, Fault> {
+pub(super) fn motor(entry: &MotorEntry, path: &KeyPath) -> Result<Motor, Fault> {
     let needed =
         |value: Option<f64>, key: &str| value.ok_or_else(|| (path.clone(), Refusal::MissingKey(key.to_owned())));
     let without = |values: &[(Option<f64>, &'static str)], what: &'static str| {

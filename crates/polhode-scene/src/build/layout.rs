@@ -8,14 +8,20 @@
 //! its cell a body is and how it is turned are random (uniform; the rotation is a point of the unit sphere in four
 //! dimensions), by [`SplitMix64`]: a seed gives the same bits everywhere.
 //!
+//! Body k of a ring of n is turned by `2 pi k / n` about the vertical, with its place. Stone k of an arch of n over the
+//! opening `b` is a wedge of the angle `b / n` whose middle is at `(k + 1/2) b / n - b / 2` from the crown, k from 0.
+//!
 //! Refused: no body, more than [`MOST_BODIES`], a spacing that puts bodies at one place, a region without room.
 
-use super::fault::{Fault, finite, positive, vector};
+use super::fault::{Fault, finite, not_negative, positive, vector};
 use crate::document::KeyPath;
 use crate::error::Refusal;
-use crate::format::{DropEntry, GridEntry, LayoutEntry, PyramidEntry, WallEntry};
+use crate::format::{
+    ArchEntry, DropEntry, GridEntry, LayoutEntry, PyramidEntry, RingEntry, SpringersName, WallEntry, WedgeEntry,
+};
 use glam::DVec3;
 use polhode::spatial::{Rotation, SplitMix64};
+use std::f64::consts::{PI, TAU};
 
 /// Most bodies of a scene with arrays: so many have 2^31 pairs, and a run that met them all would not end.
 pub(super) const MOST_BODIES: u64 = 1 << 16;
@@ -37,6 +43,8 @@ pub(super) enum Piece {
     Whole,
     /// Half a brick: its length along x is half of the others'.
     Half,
+    /// An end of an arch that is fixed.
+    Springer,
 }
 
 /// The body of which all are copies, as far as a layout depends on it.
@@ -71,6 +79,8 @@ pub(super) fn count(layout: &LayoutEntry) -> u64 {
             let (length, height) = (u64::from(wall.length), u64::from(wall.height));
             length * height + height / 2
         }
+        LayoutEntry::Ring(ring) => ring.count.into(),
+        LayoutEntry::Arch(arch) => arch.count.into(),
         LayoutEntry::Drop(drop) => drop.count.into(),
     }
 }
@@ -84,6 +94,8 @@ pub(super) fn stands(layout: &LayoutEntry, model: Model, path: &KeyPath) -> Resu
         LayoutEntry::Grid(grid) => self::grid(grid, &path.key("grid")),
         LayoutEntry::Pyramid(pyramid) => self::pyramid(pyramid, &path.key("pyramid")),
         LayoutEntry::Wall(wall) => self::wall(wall, model.length, &path.key("wall")),
+        LayoutEntry::Ring(ring) => self::ring(ring, &path.key("ring")),
+        LayoutEntry::Arch(arch) => self::arch(arch, &path.key("arch")),
         LayoutEntry::Drop(drop) => self::drop(drop, model.radius, &path.key("drop")),
     }
 }
@@ -169,6 +181,63 @@ impl Course {
             turned(format!("{}-{}", self.number + 1, i + 1), offset, turn)
         })
     }
+}
+
+fn ring(entry: &RingEntry, path: &KeyPath) -> Result<Vec<Stand>, Fault> {
+    at_least(entry.count, 1, &path.key("count"))?;
+    let outwards = DVec3::X * not_negative(entry.radius.unwrap_or(0.0), &path.key("radius"))?;
+    let start = turn(entry.turn, path)?;
+    let place = |k: u32| {
+        let angle = TAU * f64::from(k) / f64::from(entry.count);
+        turned((k + 1).to_string(), outwards, start * Rotation::from_rotation_vector(angle * DVec3::Z))
+    };
+    Ok((0..entry.count).map(place).collect())
+}
+
+fn arch(entry: &ArchEntry, path: &KeyPath) -> Result<Vec<Stand>, Fault> {
+    let angle = stone_of(entry, path)?.angle;
+    let turn = turn(entry.turn, path)?;
+    let is_fixed = entry.springers == Some(SpringersName::Fixed);
+    let last = entry.count - 1;
+    let place = |k: u32| {
+        let from_crown = (f64::from(k) - 0.5 * f64::from(last)) * angle;
+        let rotation = turn * Rotation::from_rotation_vector(from_crown * DVec3::Y) * upright()?;
+        let piece = if is_fixed && (k == 0 || k == last) { Piece::Springer } else { Piece::Whole };
+        Some(Stand { piece, suffix: (k + 1).to_string(), offset: DVec3::ZERO, rotation })
+    };
+    Ok((0..entry.count).filter_map(place).collect())
+}
+
+/// What puts a wedge upright, at the crown of an arch: its x axis up, its z axis against y.
+fn upright() -> Option<Rotation> {
+    Rotation::from_wxyz([0.5, 0.5, -0.5, 0.5]).ok()
+}
+
+/// The stone of an arch at `path`.
+///
+/// # Errors
+/// As the head of this file.
+pub(super) fn stone_of(entry: &ArchEntry, path: &KeyPath) -> Result<WedgeEntry, Fault> {
+    at_least(entry.count, 1, &path.key("count"))?;
+    let radius = positive(entry.radius, &path.key("radius"))?;
+    let thickness = positive(entry.thickness, &path.key("thickness"))?;
+    let width = positive(entry.width, &path.key("width"))?;
+    let refused = |key: &'static str, value: f64, accepted: &'static str| {
+        Err((path.key(key), Refusal::Number { value, accepted }))
+    };
+    if thickness >= 2.0 * radius {
+        return refused("thickness", thickness, "a thickness below twice the radius");
+    }
+    let opening = positive(entry.opening.unwrap_or(PI), &path.key("opening"))?;
+    if opening > TAU {
+        return refused("opening", opening, "an angle of at most a whole turn, 2 pi");
+    }
+    let angle = opening / f64::from(entry.count);
+    if angle >= PI {
+        return refused("count", entry.count.into(), "more stones: each takes less than half a turn");
+    }
+    let [inner_radius, outer_radius] = [radius - 0.5 * thickness, radius + 0.5 * thickness];
+    Ok(WedgeEntry { inner_radius, outer_radius, angle, width })
 }
 
 fn drop(entry: &DropEntry, radius: Option<f64>, path: &KeyPath) -> Result<Vec<Stand>, Fault> {

@@ -9,6 +9,7 @@
 //! | `array` | many equal bodies |
 //! | `bodies` | bodies by name, for what refers to them |
 //! | `body` | a body: its pose, motion, shape and mass |
+//! | `drives` | what drives the joints of a robot |
 //! | `fault` | what is refused and at which key; checks of numbers |
 //! | `force` | forces |
 //! | `gear` | gears, and joints by name |
@@ -28,6 +29,7 @@
 //! | `signal` | signals, which forces are multiplied by |
 //! | `spring` | springs |
 //! | `track` | tracks, and the joints that hold bodies to them |
+//! | `uncertain` | what of a scene is uncertain |
 //! | `joint` | joints |
 
 mod approximate;
@@ -35,6 +37,7 @@ mod array;
 mod bodies;
 mod body;
 mod coordinate_motion;
+mod drives;
 mod fault;
 mod force;
 mod gear;
@@ -54,6 +57,8 @@ mod shape;
 mod signal;
 mod spring;
 mod track;
+mod uncertain;
 
 pub(crate) use model::PlacedRobot;
 pub(crate) use scene::{Built, path_of, scene};
+pub(crate) use uncertain::build as uncertain;

@@ -2,17 +2,19 @@
 
 use super::fault::{Fault, Faults, finite};
 use super::materials::Materials;
-use super::placement;
+use super::{drives, placement};
 use crate::document::KeyPath;
 use crate::error::Refusal;
 use crate::format::{BaseName, ModelEntry, SceneFile, UnphysicalName};
 use crate::mesh_file::MeshFolder;
 use crate::robot::{
-    Assembly, Base, Finding, Placement, Robot, RobotFile, RobotFileError, RobotGear, SelfCollision, Unphysical,
-    assembled, read_robot,
+    Assembly, Base, Finding, Placement, Robot, RobotDefect, RobotFile, RobotFileError, RobotGear, SelfCollision,
+    Unphysical, assembled, read_robot,
 };
-use polhode::scene::{Coordinate, Joint, Material};
+use polhode::scene::{Coordinate, CoordinateMotion, DEFAULT_GRAVITY, Joint, Material};
+use polhode::spatial::DVec3;
 use polhode::{Body, BodyId};
+use std::collections::BTreeMap;
 use std::io;
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -40,6 +42,8 @@ pub(crate) struct PlacedRobot {
     pub(crate) joint_names: Vec<(String, usize, Coordinate)>,
     /// Its coordinates that follow others.
     pub(crate) gears: Vec<RobotGear>,
+    /// Its coordinates whose motion is prescribed: the place of the joint, which it is, and how it moves.
+    pub(crate) motions: Vec<(usize, Coordinate, CoordinateMotion)>,
 }
 
 /// The robots of all models, whose bodies are added to the list, and what they are made of.
@@ -52,7 +56,10 @@ pub(super) fn build(
     let mut robots = Vec::new();
     for (index, entry) in file.models.iter().enumerate() {
         let path = KeyPath::element("models", index);
-        let made = read(entry, (materials, folder), &path).and_then(|read| assemble(read, index, bodies, &path));
+        let made = read(entry, (materials, folder), &path).and_then(|(robot, mut placement)| {
+            drives::add(entry, &robot.robot, &mut placement, &path)?;
+            assemble((robot, placement), (file, index), bodies, &path)
+        });
         robots.extend(faults.note(made));
     }
     robots
@@ -77,7 +84,7 @@ fn read(
 /// The robot in the scene; its bodies are added to the list.
 fn assemble(
     (read, placement): (RobotFile, Placement),
-    index: usize,
+    (scene, index): (&SceneFile, usize),
     bodies: &mut Vec<Body>,
     path: &KeyPath,
 ) -> Result<PlacedRobot, Fault> {
@@ -85,12 +92,39 @@ fn assemble(
     let made = assembled(&robot, &placement, bodies.len());
     let (assembly, found) = made.map_err(|found| (path.key("file"), Refusal::Robot(RobotFileError::Refused(found))))?;
     findings.extend(found);
-    let Assembly { bodies: mut own, joints, no_contact, joint_names, gears } = assembly;
+    findings.extend(gravity(scene, &robot));
+    let Assembly { bodies: mut own, joints, no_contact, joint_names, gears, motions } = assembly;
+    drives::check(&placement, &joint_names, path)?;
     let names = own.iter().map(|body| body.name().to_owned()).collect();
     let movable = own.iter().filter(|body| !body.is_fixed()).count();
     bodies.append(&mut own);
     let findings = Arc::new(findings);
-    Ok(PlacedRobot { index, robot, placement, findings, movable, names, joints, no_contact, joint_names, gears })
+    Ok(PlacedRobot {
+        index,
+        robot,
+        placement,
+        findings,
+        movable,
+        names,
+        joints,
+        no_contact,
+        joint_names,
+        gears,
+        motions,
+    })
+}
+
+/// What is told of the gravity of a robot file that is not that of the scene.
+fn gravity(scene: &SceneFile, robot: &Robot) -> Option<Finding> {
+    let own = robot.gravity?;
+    let used = scene.gravity.as_ref().map_or(DEFAULT_GRAVITY, |gravity| DVec3::from_array(gravity.0));
+    let defect = if used == own {
+        RobotDefect::Read(format!("gravity {own} m/s^2"))
+    } else {
+        let what = format!("gravity {own} m/s^2 of <option>");
+        RobotDefect::Ignored { what, count: 1, why: "that of the scene counts: `gravity`" }
+    };
+    Some(Finding { place: robot.place.clone(), subject: "robot".to_owned(), defect })
 }
 
 /// Where and how the robot of an entry stands.
@@ -99,6 +133,9 @@ fn placed(entry: &ModelEntry, materials: &Materials, path: &KeyPath) -> Result<P
     let pose = placement::pose(position, orientation, entry.rotation_vector.as_ref(), path)?;
     for (name, &value) in &entry.configuration {
         finite(value, &path.key("configuration").key(name.clone()))?;
+    }
+    for (name, &value) in &entry.controls {
+        finite(value, &path.key("controls").key(name.clone()))?;
     }
     let material = entry.material.as_ref().map(|name| materials.get(name, &path.key("material")));
     Ok(Placement {
@@ -109,6 +146,9 @@ fn placed(entry: &ModelEntry, materials: &Materials, path: &KeyPath) -> Result<P
             BaseName::Fixed => Base::Fixed,
         }),
         configuration: entry.configuration.clone(),
+        keyframe: entry.keyframe.clone(),
+        controls: entry.controls.clone(),
+        drives: BTreeMap::new(),
         self_collision: if entry.self_collision { SelfCollision::On } else { SelfCollision::Off },
         unphysical: match entry.unphysical {
             UnphysicalName::Refuse => Unphysical::Refuse,

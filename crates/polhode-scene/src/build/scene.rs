@@ -11,7 +11,8 @@ use crate::error::Refusal;
 use crate::format::{self, NoContactEntry, SceneFile};
 use crate::mesh_file::MeshFolder;
 use polhode::contact::ShapeError;
-use polhode::{Body, BodyId, Scene, SceneBuilder, SceneError};
+use polhode::scene::{Coordinate, CoordinateMotion};
+use polhode::{Body, BodyId, JointId, Scene, SceneBuilder, SceneError};
 
 /// A scene, and the robots that are part of it.
 #[derive(Debug)]
@@ -65,7 +66,9 @@ pub(crate) fn scene(file: &SceneFile, folder: &MeshFolder, name: &str) -> Result
         builder = no_contact.iter().fold(builder, |builder, group| builder.no_contact(group.iter().copied()));
     }
     builder = gear::build(file, &robots, &mut faults).into_iter().fold(builder, SceneBuilder::gear);
-    for (joint, coordinate, motion) in coordinate_motion::build(file, &mut faults) {
+    for (joint, coordinate, motion) in
+        coordinate_motion::build(file, &mut faults).into_iter().chain(motions(file, &robots))
+    {
         builder = builder.coordinate_motion(joint, coordinate, motion);
     }
     for (index, group) in file.no_contact.iter().enumerate() {
@@ -81,6 +84,18 @@ pub(crate) fn scene(file: &SceneFile, folder: &MeshFolder, name: &str) -> Result
         Ok(scene) => Ok(Built { scene, robots }),
         Err(error) => Err(vec![(path_of(&error, file, &robots), Refusal::Scene(error))]),
     }
+}
+
+/// The motions of joints of robots, which follow those of the file.
+fn motions(file: &SceneFile, robots: &[PlacedRobot]) -> Vec<(JointId, Coordinate, CoordinateMotion)> {
+    let (mut motions, mut first) = (Vec::new(), file.joints.len());
+    for robot in robots {
+        for (joint, coordinate, motion) in &robot.motions {
+            motions.push((JointId::new(first + joint), *coordinate, motion.clone()));
+        }
+        first += robot.joints.len();
+    }
+    motions
 }
 
 /// Method, times, gravity and start.

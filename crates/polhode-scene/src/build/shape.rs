@@ -6,10 +6,14 @@ use super::matter::Matter;
 use super::placement;
 use crate::document::KeyPath;
 use crate::error::Refusal;
-use crate::format::{CompoundEntry, MeshEntry, PartEntry, RadiusHeightEntry, ShapeEntry};
+use crate::format::{CompoundEntry, MeshEntry, PartEntry, RadiusHeightEntry, ShapeEntry, WedgeEntry};
 use crate::mesh_file::MeshFolder;
+use glam::DVec2;
 use polhode::contact::{ConvexPolyhedron, Shape};
-use polhode::mesh::{Capsule, Cone, Cuboid, Cylinder, Primitive, SolidMesh, Sphere, Torus, TriangleMesh, convexity};
+use polhode::mesh::{
+    Capsule, Cone, Cuboid, Cylinder, MeshError, Primitive, PrismError, SolidMesh, Sphere, Torus, TriangleMesh,
+    convexity, prism,
+};
 use polhode::spatial::UnitVector;
 use polhode::{ApproximateParts, Geometry};
 
@@ -89,9 +93,16 @@ pub(super) fn build(
             Ok(Form { geometry: shape.into(), matter: Matter::WithoutVolume, approximation: None })
         }
         ShapeEntry::Compound(entry) => compound(entry, folder, &path.key("compound").key("parts")),
+        ShapeEntry::Prism(entry) => {
+            let path = path.key("prism");
+            let corners: Vec<DVec2> = entry.polygon.iter().map(|corner| DVec2::from_array(corner.0)).collect();
+            solid_form(prism(&corners, positive(entry.height, &path.key("height"))?), &path.key("polygon"))
+        }
+        ShapeEntry::Wedge(entry) => wedge(entry, &path.key("wedge")),
         ShapeEntry::Convex(entry) => {
             let path = path.key("convex");
-            let mesh = solid(read((&entry.file, entry.scale), folder, &path)?, &path.key("file"))?;
+            let mesh = SolidMesh::new(read((&entry.file, entry.scale), folder, &path)?);
+            let mesh = mesh.map_err(|error| no_solid(&entry.file, error, &path))?;
             let polyhedron = ConvexPolyhedron::from_mesh(&mesh).map_err(|error| (path.key("file"), error.into()))?;
             Ok(Form { geometry: Shape::convex(polyhedron).into(), matter: Matter::Mesh(mesh), approximation: None })
         }
@@ -124,15 +135,34 @@ fn mesh(entry: &MeshEntry, mobility: Mobility, folder: &MeshFolder, path: &KeyPa
             let shape = shape.map_err(|error| (path.key("file"), error.into()))?;
             return Ok(Form { geometry: shape.into(), matter: Matter::WithoutVolume, approximation: None });
         }
-        (Err(error), Mobility::Moves) => return Err((path.key("file"), Refusal::Mesh(error))),
+        (Err(error), Mobility::Moves) => return Err(no_solid(&entry.file, error, path)),
     };
     if let Some(entry) = &entry.approximate {
         let (shape, approximation) = approximate::parts(&mesh, entry, &path.key("approximate"))?;
         return Ok(Form { geometry: shape.into(), matter: Matter::Mesh(mesh), approximation: Some(approximation) });
     }
-    let polyhedron = if convexity(&mesh).is_convex() { ConvexPolyhedron::from_mesh(&mesh).ok() } else { None };
-    let geometry = polyhedron.map_or_else(|| Geometry::Mesh(mesh.clone()), |p| Shape::convex(p).into());
-    Ok(Form { geometry, matter: Matter::Mesh(mesh), approximation: None })
+    Ok(Form { geometry: geometry_of(&mesh), matter: Matter::Mesh(mesh), approximation: None })
+}
+
+/// A wedge about the z axis.
+fn wedge(entry: &WedgeEntry, path: &KeyPath) -> Result<Form, Fault> {
+    let inner = positive(entry.inner_radius, &path.key("inner_radius"))?;
+    let outer = positive(entry.outer_radius, &path.key("outer_radius"))?;
+    let width = positive(entry.width, &path.key("width"))?;
+    let key = if outer > inner { "angle" } else { "outer_radius" };
+    solid_form(polhode::mesh::wedge(inner, outer, entry.angle, width), &path.key(key))
+}
+
+/// A solid with plane faces, of any form.
+fn solid_form(made: Result<SolidMesh, PrismError>, path: &KeyPath) -> Result<Form, Fault> {
+    let mesh = made.map_err(|error| (path.clone(), error.into()))?;
+    Ok(Form { geometry: geometry_of(&mesh), matter: Matter::Mesh(mesh), approximation: None })
+}
+
+/// What collides of a solid: a polyhedron where it is convex.
+fn geometry_of(mesh: &SolidMesh) -> Geometry {
+    let polyhedron = if convexity(mesh).is_convex() { ConvexPolyhedron::from_mesh(mesh).ok() } else { None };
+    polyhedron.map_or_else(|| Geometry::Mesh(mesh.clone()), |polyhedron| Shape::convex(polyhedron).into())
 }
 
 /// The mesh in a file, in metres: its name, and what its coordinates are multiplied by.
@@ -143,8 +173,9 @@ fn read((file, scale): (&str, Option<f64>), folder: &MeshFolder, path: &KeyPath)
     mesh.scaled(scale).map_err(|error| (path.key("scale"), Refusal::Mesh(error)))
 }
 
-fn solid(mesh: TriangleMesh, path: &KeyPath) -> Result<SolidMesh, Fault> {
-    SolidMesh::new(mesh).map_err(|error| (path.clone(), Refusal::Mesh(error)))
+/// That the mesh of a file, named at `path`, bounds no solid.
+fn no_solid(file: &str, source: MeshError, path: &KeyPath) -> Fault {
+    (path.key("file"), Refusal::Solid { file: file.to_owned(), source })
 }
 
 /// Parts that are fixed to each other.

@@ -19,7 +19,7 @@ mod repair;
 mod source;
 mod tree;
 
-pub(crate) use key_path::{KeyPath, Step};
+pub(crate) use key_path::{KeyPath, Step, written as written_key};
 pub use overrides::Override;
 use repair::Damage;
 use source::Sources;
@@ -111,6 +111,37 @@ impl Document {
             }
             Err(error) => error,
         }
+    }
+
+    /// The errors that faults at these paths are.
+    pub(crate) fn refuse_all(&self, faults: Vec<(KeyPath, Refusal)>) -> SceneFileError {
+        match self.tree() {
+            Ok(tree) => SceneFileError::of_all(self.of_scene(&tree, &Damage::default(), faults)),
+            Err(error) => error,
+        }
+    }
+
+    /// The number that a dotted key has; none where it has none.
+    pub(crate) fn number(&self, key: &str) -> Option<f64> {
+        overrides::number_at(self.tree().ok()?.get_ref(), key)
+    }
+
+    /// The format takes these changes besides those that are there.
+    ///
+    /// # Errors
+    /// Why it does not.
+    pub(crate) fn taken(&self, changes: &[Override]) -> Result<(), Refusal> {
+        let mut other = self.clone();
+        changes.iter().for_each(|change| other.sources.push(&change.origin, change.text()));
+        let (file, rest) = other.sources.texts();
+        let mut tree = DeTable::parse(file.text()).map_err(|error| Refusal::Syntax(error.message().to_owned()))?;
+        for change in rest {
+            overrides::apply(&mut tree, change).map_err(|(_, cause)| cause)?;
+        }
+        parse(&tree).map(|_| ()).map_err(|fault| {
+            let (_, _, cause) = *fault;
+            cause
+        })
     }
 
     /// The tree of values.

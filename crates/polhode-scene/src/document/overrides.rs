@@ -1,7 +1,7 @@
 //! Values set from outside the file: `--set key=value`.
 //!
 //! A key is a dotted path as TOML writes it; an element of `bodies` or `arrays` goes by its name or its number (from
-//! 0), of other arrays by its number. A value is TOML; a bare word (`propagation`, `../mesh.obj`) is taken as a string.
+//! 0), of other arrays by its number; `position[2]` is `position.2`. A value is TOML; a bare word (`propagation`, `../mesh.obj`) is taken as a string.
 
 use super::source::Source;
 use crate::error::Refusal;
@@ -73,12 +73,50 @@ pub(super) fn apply<'t>(root: &mut Spanned<DeTable<'t>>, source: &'t Source) -> 
     place.set(last, value, source.start())
 }
 
+/// The number at a dotted key; none where it has none.
+pub(super) fn number_at(root: &DeTable<'_>, key: &str) -> Option<f64> {
+    let keys = keys(key).ok()?;
+    let (first, rest) = keys.split_first()?;
+    let mut value = root.get(first.get_ref().as_str())?.get_ref();
+    for key in rest {
+        value = match value {
+            DeValue::Table(table) => table.get(key.get_ref().as_str())?.get_ref(),
+            DeValue::Array(array) => array.get(element(array, key).ok()?)?.get_ref(),
+            _ => return None,
+        };
+    }
+    match value {
+        DeValue::Float(number) => number.as_str().parse().ok(),
+        DeValue::Integer(number) => i64::from_str_radix(number.as_str(), number.radix()).ok().map(|whole| whole as f64),
+        _ => None,
+    }
+}
+
+/// A key with numbers in brackets as a dotted path of the same length: `position[2]` is `position.2 `.
+fn dotted(text: &str) -> String {
+    let mut quote = None;
+    let step = |c: char| match (quote, c) {
+        (None, '[') => '.',
+        (None, ']') => ' ',
+        (None, '"' | '\'') => {
+            quote = Some(c);
+            c
+        }
+        (Some(open), c) if open == c => {
+            quote = None;
+            c
+        }
+        (_, c) => c,
+    };
+    text.chars().map(step).collect()
+}
+
 /// The steps of a dotted key with their ranges.
 fn keys(text: &str) -> Result<Vec<Spanned<String>>, Fault> {
     let whole = 0..text.trim_end().len().max(1);
     let fault = |message: String| (whole.clone(), Refusal::Override(message));
     // Parsing it as the key of a table lets TOML decide what is quoted and what is bare.
-    let line = format!("{text}= {{}}");
+    let line = format!("{}= {{}}", dotted(text));
     let table = DeTable::parse(&line).map_err(|error| fault(format!("not a key: {}", error.message())))?;
     let mut keys = Vec::new();
     let mut table = table.into_inner();

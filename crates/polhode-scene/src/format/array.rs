@@ -6,7 +6,7 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 
 /// Kinds of layout, for messages.
-pub(crate) const LAYOUTS: &str = "grid, pyramid, wall or drop";
+pub(crate) const LAYOUTS: &str = "grid, pyramid, wall, ring, arch or drop";
 
 /// Many equal bodies: the keys of a body, and where each of them stands.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
@@ -75,7 +75,8 @@ impl ArrayEntry {
     }
 }
 
-/// Where the bodies of an array stand. All layouts extend from the array's `position` along +x, +y and +z.
+/// Where the bodies of an array stand. Layouts extend from the array's `position` along +x, +y and +z; a ring and an
+/// arch stand about it.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum LayoutEntry {
@@ -85,6 +86,10 @@ pub enum LayoutEntry {
     Pyramid(PyramidEntry),
     /// Courses of boxes along x in running bond: every second one begins and ends with half a brick.
     Wall(WallEntry),
+    /// Around a vertical axis.
+    Ring(RingEntry),
+    /// An arch of equal stones, which it makes itself.
+    Arch(ArchEntry),
     /// Apart from each other in a region, at random places and in random orientations.
     Drop(DropEntry),
 }
@@ -128,6 +133,57 @@ pub struct WallEntry {
     pub spacing: Exactly<f64, 2>,
     /// Angle about the vertical through `position` by which the array is turned, rad; 0 when absent.
     pub turn: Option<f64>,
+}
+
+/// Bodies around the vertical axis through `position`, the first at +x, the others anticlockwise seen from above, each
+/// turned with its place.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct RingEntry {
+    /// How many bodies.
+    #[schemars(range(min = 1))]
+    pub count: u32,
+    /// From the axis to the origin of each body, m; 0 when absent, as for wedges, whose origin is on their axis.
+    #[schemars(extend("minimum" = 0))]
+    pub radius: Option<f64>,
+    /// Angle about the vertical through `position` by which the array is turned, rad; 0 when absent.
+    pub turn: Option<f64>,
+}
+
+/// An arch in the plane of x and z, with radial joints and `position` as its centre: stones from -x to +x, each a
+/// wedge.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ArchEntry {
+    /// How many stones; each takes less than half a turn.
+    #[schemars(range(min = 1))]
+    pub count: u32,
+    /// Radius in the middle of the thickness, m.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub radius: f64,
+    /// Thickness, m; less than twice the radius.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub thickness: f64,
+    /// Width of the stones along y, m.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub width: f64,
+    /// Angle from one end to the other, rad, at most a whole turn; half a turn when absent.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub opening: Option<f64>,
+    /// Whether the first and the last stone are fixed; they are loose when absent.
+    pub springers: Option<SpringersName>,
+    /// Angle about the vertical through `position` by which the array is turned, rad; 0 when absent.
+    pub turn: Option<f64>,
+}
+
+/// The first and the last stone of an arch.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum SpringersName {
+    /// As the other stones.
+    Loose,
+    /// Immovable.
+    Fixed,
 }
 
 /// Bodies at random places, apart from each other.

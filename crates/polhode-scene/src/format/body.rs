@@ -71,6 +71,11 @@ pub enum ShapeEntry {
     Capsule(RadiusHeightEntry),
     /// A ring about the z axis, its centre at the origin.
     Torus(TorusEntry),
+    /// What lies over a polygon, along the z axis, half of its height on either side of the xy plane.
+    Prism(PrismEntry),
+    /// A stone of an arch: what lies between two circles about the z axis and two planes through it, with plane faces,
+    /// its middle towards +x. Its origin is on that axis.
+    Wedge(WedgeEntry),
     /// Parts that are fixed to each other.
     Compound(CompoundEntry),
     /// A convex solid from a mesh file.
@@ -147,6 +152,36 @@ pub struct TorusEntry {
     /// Radius of the tube, m; less than the other.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub minor: f64,
+}
+
+/// A prism.
+#[derive(Debug, Clone, PartialEq, serde::Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct PrismEntry {
+    /// Corners [x, y] in their order around the polygon, m; it may be not convex, and must not touch itself.
+    #[schemars(length(min = 3))]
+    pub polygon: Vec<Exactly<f64, 2>>,
+    /// Height along z, m.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub height: f64,
+}
+
+/// A wedge.
+#[derive(Debug, Clone, PartialEq, serde::Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct WedgeEntry {
+    /// Distance of the inner corners from the axis, m.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub inner_radius: f64,
+    /// Distance of the outer corners from the axis, m; more than the other.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub outer_radius: f64,
+    /// Angle between the end faces, rad; below pi.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub angle: f64,
+    /// Width along z, m.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub width: f64,
 }
 
 /// Several parts.

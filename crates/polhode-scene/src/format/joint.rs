@@ -9,6 +9,9 @@ use serde::Deserialize;
 /// Kinds of joint, for messages.
 pub(crate) const JOINTS: &str = "ball, hinge, universal, fixed, slider, cylindrical, planar, screw, rod, rope or track";
 
+/// Kinds of prescribed motion of a coordinate, for messages.
+pub(crate) const COORDINATE_MOTIONS: &str = "rate, sine or table";
+
 /// A joint: what holds two bodies, or a body and the world, together.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]

@@ -23,6 +23,7 @@
 //! | `planned` | members that are designed but not built, refused as `not yet available` |
 //! | `promise` | what a run promises, where a scene sets other limits than its tier |
 //! | `track` | tracks that joints hold bodies to |
+//! | `uncertain` | [`UncertainEntry`]: what a sweep draws |
 
 mod array;
 mod body;
@@ -42,12 +43,15 @@ mod scene;
 mod signal;
 mod tier;
 mod track;
+mod uncertain;
 
 pub(crate) use array::LAYOUTS;
-pub use array::{ArrayEntry, DropEntry, GridEntry, LayoutEntry, PyramidEntry, WallEntry};
+pub use array::{
+    ArchEntry, ArrayEntry, DropEntry, GridEntry, LayoutEntry, PyramidEntry, RingEntry, SpringersName, WallEntry,
+};
 pub use body::{
     ApproximateEntry, BodyEntry, BoxEntry, CompoundEntry, FileEntry, HalfSpaceEntry, InertiaEntry, MeshEntry,
-    PartEntry, PointsEntry, RadiusHeightEntry, ShapeEntry, SphereEntry, TorusEntry,
+    PartEntry, PointsEntry, PrismEntry, RadiusHeightEntry, ShapeEntry, SphereEntry, TorusEntry, WedgeEntry,
 };
 pub use broad_phase::BroadPhaseName;
 pub use exactly::{Exactly, Vector};
@@ -57,7 +61,7 @@ pub use force::{
 };
 pub use friction::{FrictionEntry, GrainEntry, NumberOr, StaticFrictionEntry, StaticGrainEntry};
 pub use integrator::IntegratorName;
-pub(crate) use joint::JOINTS;
+pub(crate) use joint::{COORDINATE_MOTIONS, JOINTS};
 pub use joint::{
     CoordinateMotionEntry, CoordinateName, CoordinateSineEntry, CoordinateTableEntry, CylindricalEntry, FreedomEntry,
     GearEntry, HingeEntry, JointEntry, JointFrictionEntry, JointKindEntry, MotorEntry, PlanarJointEntry,
@@ -67,7 +71,7 @@ pub use method::{
     ContactName, CoordinatesName, CrowdingName, ErrorEstimationName, ImpactName, MethodEntry, OrientationName,
     PropagationOrderName, PulseExponentName, ResponseName, RestitutionLawName, RotationRateName,
 };
-pub use model::{BaseName, ModelEntry, UnphysicalName};
+pub use model::{BaseName, DriveEntry, ModelEntry, UnphysicalName};
 pub use motion::{ConstantMotionEntry, InterpolationEntry, MotionEntry, SineMotionEntry, TableMotionEntry};
 pub use penalty::{PenaltyEntry, SpringDampingName, SpringFrictionName, SpringLawName};
 pub use promise::PromiseEntry;
@@ -79,13 +83,15 @@ pub use track::{
     BendEntry, CircleEntry, CurveEntry, CycloidEntry, FollowsName, HelixEntry, LineEntry, PathEntry, PolynomialEntry,
     SplineEntry, TrackEndsName, TrackEntry, TrackSpringsEntry, WaveEntry,
 };
+pub(crate) use uncertain::SPREADS;
+pub use uncertain::{AxesEntry, ChoiceEntry, DrawName, LimitsEntry, LogNormalEntry, NormalEntry, UncertainEntry};
 
 /// Version of the format that this crate reads.
 pub const VERSION: u32 = 1;
 
 /// Kinds of shape, for messages.
 pub(crate) const SHAPES: &str =
-    "box, sphere, cylinder, cone, capsule, torus, half_space, points, convex, mesh or compound";
+    "box, sphere, cylinder, cone, capsule, torus, prism, wedge, half_space, points, convex, mesh or compound";
 
 /// Kinds of prescribed motion, for messages.
 pub(crate) const MOTIONS: &str = "constant, sine or table";

@@ -1,6 +1,7 @@
 //! Robots from files of their own.
 
 use super::exactly::{Exactly, Vector};
+use super::joint::{CoordinateMotionEntry, MotorEntry};
 use schemars::JsonSchema;
 use serde::Deserialize;
 use std::collections::BTreeMap;
@@ -24,6 +25,16 @@ pub struct ModelEntry {
     /// Values of joints at the start, rad or m, by their names; those of the file when absent, moved into the limits.
     #[serde(default)]
     pub configuration: BTreeMap<String, f64>,
+    /// Name of the keyframe of an MJCF file in which it starts: its coordinates, their rates, and controls of
+    /// actuators; what `configuration` and `controls` name comes before it.
+    pub keyframe: Option<String>,
+    /// Controls of actuators of an MJCF file, by their names; those of the keyframe, or 0, when absent.
+    #[serde(default)]
+    pub controls: BTreeMap<String, f64>,
+    /// What drives joints, by their names; `*` in a name stands for any characters. It comes before actuators of the
+    /// file.
+    #[serde(default)]
+    pub drives: BTreeMap<String, DriveEntry>,
     /// Its links collide with each other, but for those that a joint connects.
     #[serde(default)]
     pub self_collision: bool,
@@ -36,6 +47,16 @@ pub struct ModelEntry {
     pub packages: Vec<String>,
     /// Name of a material of all its bodies; without one friction and restitution are 0.
     pub material: Option<String>,
+}
+
+/// What drives a joint of a robot, along its coordinate as the robot file counts it: exactly one of the keys.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct DriveEntry {
+    /// A motor; without `most` its effort is bounded as the robot file says.
+    pub motor: Option<MotorEntry>,
+    /// A motion that the joint follows from where it starts; its limits are not kept.
+    pub motion: Option<CoordinateMotionEntry>,
 }
 
 /// What holds the root link of a robot.

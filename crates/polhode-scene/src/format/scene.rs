@@ -3,7 +3,7 @@
 use super::exactly::{Exactly, Vector};
 use super::{
     ArrayEntry, BodyEntry, ForceEntry, FrictionEntry, GearEntry, JointEntry, MethodEntry, ModelEntry, PromiseEntry,
-    StaticFrictionEntry, TrackEntry,
+    StaticFrictionEntry, TrackEntry, UncertainEntry,
 };
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -70,6 +70,9 @@ pub struct SceneFile {
     /// How the scene starts.
     #[serde(default)]
     pub start: StartEntry,
+    /// What is uncertain: `polhode sweep` draws it, a run has what the scene says.
+    #[serde(default)]
+    pub uncertain: Vec<UncertainEntry>,
 }
 
 /// How the scene starts.

@@ -5,15 +5,17 @@
 //! are ground.
 
 use super::combine::{self, Combined};
+use super::drive::{self, RobotDrive};
 use super::finding::{Finding, Findings, RobotDefect};
-use super::model::{ClosureKind, Robot, RobotCoordinate, RobotJointKind, Root};
-use super::posture;
+use super::joint_extras::OF_MOTORS;
+use super::model::{Actuator, ClosureKind, Robot, RobotCoordinate, RobotJointKind, Root};
 use super::shapes::{self, Colliding, Meshes};
 use super::weld::{self, Group, Unphysical};
+use super::{posture, rates};
 use glam::DVec3;
 use polhode::contact::Shape;
-use polhode::scene::{Coordinate, Freedom, Joint, JointFriction, JointKind, Limits, Material};
-use polhode::spatial::{Pose, UnitVector};
+use polhode::scene::{Coordinate, CoordinateMotion, Freedom, Joint, JointFriction, JointKind, Limits, Material, Motor};
+use polhode::spatial::{Pose, UnitVector, Velocity};
 use polhode::{Body, BodyId};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -50,6 +52,12 @@ pub struct Placement {
     pub base: Option<Base>,
     /// Values of coordinates at the start, by the names of their joints, rad or m.
     pub configuration: BTreeMap<String, f64>,
+    /// Name of the keyframe of its file in which it starts; the pose of the file when absent.
+    pub keyframe: Option<String>,
+    /// Controls of actuators of its file, by their names; those of the keyframe, or zero, when absent.
+    pub controls: BTreeMap<String, f64>,
+    /// What drives coordinates, by the names of their joints, in the place of actuators of its file.
+    pub drives: BTreeMap<String, RobotDrive>,
     /// Whether its links collide with each other.
     pub self_collision: SelfCollision,
     /// What becomes of inertias that no body can have.
@@ -66,6 +74,9 @@ impl Placement {
             pose: Pose::IDENTITY,
             base: None,
             configuration: BTreeMap::new(),
+            keyframe: None,
+            controls: BTreeMap::new(),
+            drives: BTreeMap::new(),
             self_collision: SelfCollision::Off,
             unphysical,
             material: Material::default(),
@@ -86,6 +97,8 @@ pub(crate) struct Assembly {
     pub(crate) joint_names: Vec<(String, usize, Coordinate)>,
     /// Coordinates that follow others.
     pub(crate) gears: Vec<RobotGear>,
+    /// Coordinates whose motion is prescribed: the place of the joint, which it is, and how it moves.
+    pub(crate) motions: Vec<(usize, Coordinate, CoordinateMotion)>,
 }
 
 /// A coordinate of a robot that follows another one.
@@ -104,6 +117,9 @@ pub(crate) struct RobotGear {
 /// Why a joint that follows another one has no effect.
 const NOT_THERE: &str = "one of both is no joint of the scene: it is fixed, or nothing with mass hangs at it";
 
+/// Why an actuator of a joint that the scene drives has no effect.
+const REPLACED: &str = "the scene drives the joint in its place";
+
 /// What an assembly is made with.
 struct Making<'a> {
     robot: &'a Robot,
@@ -113,6 +129,12 @@ struct Making<'a> {
     /// The same at the values at which the file gives its poses.
     reference: Vec<Pose>,
     values: Vec<f64>,
+    /// How the links move at the start; none where they are at rest.
+    velocities: Option<Vec<Velocity>>,
+    /// Controls of actuators by their names.
+    controls: BTreeMap<String, f64>,
+    /// The names of the coordinates that something drives.
+    driven: BTreeSet<String>,
     groups: Vec<Group>,
     group_of: Vec<usize>,
     /// The joint at which each group hangs.
@@ -137,10 +159,19 @@ pub(crate) fn assembled(
     first: usize,
 ) -> Result<(Assembly, Vec<Finding>), Vec<Finding>> {
     let mut findings = Findings::default();
-    let values = posture::start(robot, &placement.configuration, &mut findings);
+    let named = placement.keyframe.as_ref();
+    let keyframe = named.and_then(|name| robot.keyframes.iter().find(|own| own.name == *name));
+    let as_file = || (robot.clone(), BTreeMap::new());
+    let (keyed, values_of_key) = keyframe.map_or_else(as_file, |own| posture::at_keyframe(robot, own));
+    let values = posture::start(&keyed, (&placement.configuration, &values_of_key), &mut findings);
     let reference = posture::poses(robot, &posture::references(robot));
-    let robot = &posture::held(robot, &values);
+    let rates = posture::rates(robot, keyframe, &placement.drives);
+    let given = keyframe.and_then(|own| own.controls.as_ref()).into_iter().flatten().copied();
+    let mut controls: BTreeMap<String, f64> = robot.actuator_names.iter().cloned().zip(given).collect();
+    controls.extend(placement.controls.clone());
+    let robot = &posture::held(&keyed, &values);
     let poses = posture::poses(robot, &values);
+    let velocities = rates.map(|rates| rates::velocities(robot, &poses, &rates));
     let (groups, group_of) = weld::groups(robot, &poses, placement.unphysical, &mut findings);
     let mut above = vec![None; groups.len()];
     for (number, joint) in robot.joints.iter().enumerate() {
@@ -156,6 +187,9 @@ pub(crate) fn assembled(
         poses,
         reference,
         values,
+        velocities,
+        controls,
+        driven: BTreeSet::new(),
         groups,
         group_of,
         above,
@@ -169,6 +203,7 @@ pub(crate) fn assembled(
     making.bodies();
     making.loops();
     making.followers();
+    making.not_driven();
     making.no_contact();
     let Making { findings, made, .. } = making;
     let is_refused = findings.refuse();
@@ -327,6 +362,12 @@ impl Making<'_> {
             body = body.geometry(shape.into());
         }
         let pose = self.poses[top];
+        if let Some(velocities) = &self.velocities {
+            let own = velocities[top];
+            let center = own.at(pose.rotation.rotate(properties.center_of_mass()));
+            let in_world = |vector: DVec3| self.placement.pose.rotation.rotate(vector);
+            body = body.velocity(Velocity::new(in_world(center), in_world(own.angular)));
+        }
         self.body_of[group] = Some(self.push(body, pose));
     }
 
@@ -390,10 +431,72 @@ impl Making<'_> {
             if let Some(own) = self.robot.joints[number].coordinates.first() {
                 let name = self.name(&own.name);
                 self.made.joint_names.push((name, self.made.joints.len(), coordinate));
-                joint = joint.along(coordinate, freedom(own, coordinate, value, &mut self.findings));
+                let (motor, motion) = self.drive(own, coordinate, number);
+                let without_limits = RobotCoordinate { limits: None, ..own.clone() };
+                if motion.is_some() && own.limits.is_some() {
+                    self.findings.add(&own.place, format!("joint `{}`", own.name), RobotDefect::PrescribedBeyond);
+                }
+                let kept = if motion.is_some() { &without_limits } else { own };
+                let mut acting = freedom(kept, coordinate, value, &mut self.findings);
+                // The numbers of motors have been checked, and are finite.
+                if let Some(motor) = motor.and_then(|motor| drive::from_start(motor, value).ok()) {
+                    acting = acting.with_motor(motor);
+                }
+                joint = joint.along(coordinate, acting);
+                self.made.motions.extend(motion.map(|motion| (self.made.joints.len(), coordinate, motion)));
             }
         }
         self.made.joints.push(joint);
+    }
+
+    /// What drives the coordinate of joint `number`: what the scene says, or else the actuators of the file.
+    fn drive(
+        &mut self,
+        own: &RobotCoordinate,
+        coordinate: Coordinate,
+        number: usize,
+    ) -> (Option<Motor>, Option<CoordinateMotion>) {
+        let actuators: Vec<&Actuator> = self.robot.actuators.iter().filter(|actor| actor.joint == own.name).collect();
+        if let Some(drive) = self.placement.drives.get(&own.name) {
+            self.driven.insert(own.name.clone());
+            let (motor, told) = drive::of_scene(drive, own, coordinate);
+            self.findings.add_all(vec![told]);
+            for actuator in actuators {
+                let what = format!("<{}> `{}`", actuator.kind, actuator.name);
+                let ignored = RobotDefect::Ignored { what, count: 1, why: REPLACED };
+                self.findings.add(&actuator.place, format!("joint `{}`", own.name), ignored);
+            }
+            return (motor, drive.motion.clone());
+        }
+        if actuators.is_empty() {
+            return (None, None);
+        }
+        self.driven.insert(own.name.clone());
+        let inertia = rates::inertia(self.robot, &self.reference, number);
+        let mut told = Vec::new();
+        let motor = drive::of_actuators(&actuators, (own, coordinate), &self.controls, inertia, &mut told);
+        self.findings.add_all(told);
+        (motor, None)
+    }
+
+    /// Notes what bounds or drives coordinates that nothing drives.
+    fn not_driven(&mut self) {
+        for actuator in self.robot.actuators.iter().filter(|own| !self.driven.contains(&own.joint)) {
+            let what = format!(
+                "joint `{}` is none along whose coordinate something acts: it is held, part of a joint of several \
+                 axes, or carries no mass",
+                actuator.joint
+            );
+            let subject = format!("actuator `{}`", actuator.name);
+            self.findings.add(&actuator.place, subject, RobotDefect::ActuatorLeftOut(what));
+        }
+        let coordinates = self.robot.joints.iter().flat_map(|joint| &joint.coordinates);
+        let of_others = coordinates.filter(|own| !self.driven.contains(&own.name));
+        let limits: Vec<_> = of_others.filter_map(|own| own.effort_limit.as_ref()).collect();
+        if let Some(first) = limits.iter().min_by(|a, b| a.place.cmp(&b.place)) {
+            let (what, count) = (first.what.to_owned(), limits.len());
+            self.findings.add(&first.place, "robot", RobotDefect::Ignored { what, count, why: OF_MOTORS });
+        }
     }
 
     /// The kind of joint in the engine, with its axes in the world; none where nothing is held.

@@ -77,6 +77,12 @@ impl Element {
         }
     }
 
+    /// The same element with these attributes and nothing in it.
+    pub(super) fn with_attributes(&self, attributes: Vec<(String, String)>) -> Self {
+        let (name, place) = (self.name.clone(), self.place.clone());
+        Self { name, is_macro: self.is_macro, attributes, place, children: Vec::new() }
+    }
+
     /// The elements of this name in it.
     pub(super) fn all<'a>(&'a self, name: &'a str) -> impl Iterator<Item = &'a Self> {
         self.children.iter().filter(move |child| child.name == name)

@@ -37,6 +37,8 @@ pub enum Severity {
     Warning,
     /// Something in the file has no effect.
     Ignored,
+    /// Something acts that one may not expect of a file: what it is.
+    Read,
 }
 
 impl Severity {
@@ -46,6 +48,7 @@ impl Severity {
             Self::Refused => "error",
             Self::Warning => "warning",
             Self::Ignored => "ignored",
+            Self::Read => "read",
         }
     }
 }
@@ -384,6 +387,90 @@ pub enum RobotDefect {
         /// The value of the configuration.
         given: f64,
     },
+    /// A name that nothing bears, among names that are borne.
+    #[error("no {kind} is named `{name}`")]
+    UnknownOf {
+        /// What should bear it.
+        kind: &'static str,
+        /// The name.
+        name: String,
+        /// Names that are borne, the nearest first.
+        known: String,
+    },
+    /// A range of controls or efforts that does not rise.
+    #[error("its {what} goes from {lower} to {upper}")]
+    Range {
+        /// Which range.
+        what: &'static str,
+        /// Its first number.
+        lower: f64,
+        /// Its second number.
+        upper: f64,
+    },
+    /// An actuator that is not simulated.
+    #[error("{0}: it is left out and exerts nothing")]
+    ActuatorLeftOut(String),
+    /// An actuator whose activation lags behind its control.
+    #[error("its filter is not simulated: its effort follows its control at once")]
+    NoFilter,
+    /// An effort whose bounds differ to both sides.
+    #[error("its effort is bounded by {lower} and {upper}: here by {most} to both sides")]
+    OneBound {
+        /// The lower bound, N m or N.
+        lower: f64,
+        /// The upper bound, N m or N.
+        upper: f64,
+        /// What is kept.
+        most: f64,
+    },
+    /// Several actuators of a joint with bounds of their own.
+    #[error("{count} actuators drive it, each with its own bound: here their sum is bounded by {most}")]
+    SumOfBounds {
+        /// How many.
+        count: usize,
+        /// The sum of the bounds, N m or N.
+        most: f64,
+    },
+    /// A control is outside its range.
+    #[error("its control is {value}, outside its range from {lower} to {upper}: it is moved into it")]
+    ControlBeyond {
+        /// The control.
+        value: f64,
+        /// The lower end of the range.
+        lower: f64,
+        /// The upper end.
+        upper: f64,
+    },
+    /// A keyframe has not as many numbers as the robot.
+    #[error("`{key}` has {found} numbers, and the robot needs {needed}")]
+    KeyLength {
+        /// Which numbers.
+        key: &'static str,
+        /// How many there are.
+        found: usize,
+        /// How many are needed.
+        needed: usize,
+        /// What each is for.
+        each: &'static str,
+    },
+    /// A keyframe has a coordinate outside its limits.
+    #[error("its keyframe puts it at {value}, outside its limits from {lower} to {upper}: it starts at {start}")]
+    KeyBeyond {
+        /// The value, rad or m.
+        value: f64,
+        /// The lower limit.
+        lower: f64,
+        /// The upper limit.
+        upper: f64,
+        /// Where it starts.
+        start: f64,
+    },
+    /// Limits of a joint whose motion is prescribed.
+    #[error("its limits are not kept: its motion is prescribed")]
+    PrescribedBeyond,
+    /// What acts.
+    #[error("{0}")]
+    Read(String),
     /// Something has no effect.
     #[error("{what}{}: {why}", times(*count))]
     Ignored {
@@ -431,7 +518,14 @@ impl RobotDefect {
             | Self::CenterOutside { .. }
             | Self::InertiaAgainstShape { .. }
             | Self::Overlap { .. }
+            | Self::ActuatorLeftOut(_)
+            | Self::NoFilter
+            | Self::OneBound { .. }
+            | Self::SumOfBounds { .. }
+            | Self::ControlBeyond { .. }
+            | Self::KeyBeyond { .. }
             | Self::Unlimited(_) => Severity::Warning,
+            Self::Read(_) | Self::PrescribedBeyond => Severity::Read,
             _ => Severity::Refused,
         }
     }
@@ -491,6 +585,10 @@ impl RobotDefect {
             Self::InertiaAgainstShape { .. } => "check the unit (kg m^2), and that it is about the centre of mass",
             Self::Overlap { .. } => "links of one robot do not collide unless `self_collision` is asked for",
             Self::OpenLoop(_) | Self::TurnedLoop(_) => "give a `configuration` in which it closes, or move its anchors",
+            Self::UnknownOf { known, .. } => return format!("known: {known}"),
+            Self::Range { .. } => "accepted: two numbers, the smaller one first",
+            Self::ActuatorLeftOut(_) => "hinges and sliders are driven by `drives` of [[models]]",
+            Self::KeyLength { needed, each, .. } => return format!("accepted: {needed} numbers: {each}"),
             Self::Joints { .. } => "put a body with mass between them",
             _ => "",
         };

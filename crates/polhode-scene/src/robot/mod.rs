@@ -16,6 +16,8 @@
 //! | `text` | the text of a file, and why it could not be used |
 //! | `tree` | whether the joints make a tree |
 //! | `posture` | from coordinates to poses |
+//! | `rates` | from rates of coordinates to velocities |
+//! | `drive` | motors: of the scene, and of actuators of the file |
 //! | `weld` | links that move as one, and the sum of their masses |
 //! | `combine` | joints one after the other that are one joint |
 //! | `shapes` | what collides |
@@ -26,6 +28,7 @@
 mod assemble;
 mod combine;
 mod doctor;
+mod drive;
 mod element;
 mod finding;
 mod joint_extras;
@@ -33,6 +36,7 @@ mod mesh_path;
 mod mjcf;
 mod model;
 mod posture;
+mod rates;
 mod read;
 mod reading;
 mod shapes;
@@ -45,10 +49,11 @@ mod weld;
 pub(crate) use assemble::{Assembly, RobotGear, assembled};
 pub use assemble::{Base, Placement, SelfCollision};
 pub use doctor::examine;
+pub use drive::{MotorBound, RobotDrive};
 pub use finding::{Finding, RobotDefect, RobotPlace, Severity};
 pub use model::{
-    Closure, ClosureKind, Follower, Geom, GeomForm, Inertial, Link, Robot, RobotCoordinate, RobotJoint, RobotJointKind,
-    Root,
+    Actuator, Closure, ClosureKind, EffortLimit, Follower, Geom, GeomForm, Inertial, Keyframe, Link, Robot,
+    RobotCoordinate, RobotJoint, RobotJointKind, Root,
 };
 pub use read::{RobotFile, read_robot, read_text};
 pub(crate) use stage::{is_robot_file, scene_of};

@@ -26,6 +26,14 @@ pub struct Robot {
     pub followers: Vec<Follower>,
     /// Pairs of links that do not collide.
     pub apart: Vec<[usize; 2]>,
+    /// Motors that its file gives and that are simulated.
+    pub actuators: Vec<Actuator>,
+    /// Names of all that its file gives, in its order.
+    pub actuator_names: Vec<String>,
+    /// States that its file gives by name.
+    pub keyframes: Vec<Keyframe>,
+    /// Gravity that its file gives, m/s^2, in the frame of the model.
+    pub gravity: Option<DVec3>,
     /// What holds the root when the scene does not say.
     pub root: Root,
     /// The files that it was read from.
@@ -183,6 +191,16 @@ pub enum RobotJointKind {
 }
 
 impl RobotJointKind {
+    /// How many numbers a keyframe has for its coordinates and for their rates.
+    pub(crate) const fn sizes(self) -> [usize; 2] {
+        match self {
+            Self::Free => [7, 6],
+            Self::Ball => [4, 3],
+            Self::Hinge { .. } | Self::Slider { .. } => [1, 1],
+            Self::Fixed | Self::Cylindrical { .. } | Self::Universal { .. } | Self::Planar { .. } => [0, 0],
+        }
+    }
+
     /// Its name in messages.
     pub const fn name(self) -> &'static str {
         match self {
@@ -217,6 +235,65 @@ pub struct RobotCoordinate {
     pub stiffness: f64,
     /// The value at which the spring is at rest, rad or m.
     pub rest: f64,
+    /// The largest effort of its motors, N m or N; none where the file has no bound.
+    pub effort_limit: Option<EffortLimit>,
+}
+
+/// The largest effort of the motors of a coordinate.
+#[derive(Debug, Clone, PartialEq)]
+pub struct EffortLimit {
+    /// Where it is given.
+    pub place: RobotPlace,
+    /// What it is in the file, as in "`effort` of <limit>".
+    pub what: &'static str,
+    /// Its size, N m or N.
+    pub most: f64,
+}
+
+/// A motor of a file at a coordinate of a joint.
+///
+/// With the gear `r`, the control `u` and the coordinate `q` it exerts the effort `r f` (N m, N) along the coordinate,
+/// `f = (g0 + g1 l + g2 l') u + b0 + b1 l + b2 l'` with `l = r q`: the affine actuator of MJCF (docs/REFERENCES.md,
+/// MJCF).
+#[derive(Debug, Clone, PartialEq)]
+pub struct Actuator {
+    /// Its name.
+    pub name: String,
+    /// Where it is given.
+    pub place: RobotPlace,
+    /// What its file calls it: `motor`, `position`, ...
+    pub kind: String,
+    /// Name of the joint.
+    pub joint: String,
+    /// `r`: what it moves for each unit of the coordinate.
+    pub gear: f64,
+    /// `g0`, `g1`, `g2`.
+    pub gain: [f64; 3],
+    /// `b0`, `b1`, `b2`.
+    pub bias: [f64; 3],
+    /// Its damping over the critical one, where the file gives it so: it takes the place of `-b2`.
+    pub damping_ratio: Option<f64>,
+    /// The smallest and the largest control.
+    pub control_range: Option<[f64; 2]>,
+    /// The smallest and the largest `f`, N m or N.
+    pub force_range: Option<[f64; 2]>,
+}
+
+/// A state that a file gives by name.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Keyframe {
+    /// Its name; its number where it has none.
+    pub name: String,
+    /// Where it is given.
+    pub place: RobotPlace,
+    /// Coordinates of the joints one after the other: pose of a free joint (m, quaternion w x y z), quaternion of a
+    /// ball joint, rad or m of others.
+    pub coordinates: Option<Vec<f64>>,
+    /// Their rates: velocity along the axes of the model and angular velocity along those of the body of a free joint,
+    /// angular velocity of a ball joint, rad/s or m/s of others.
+    pub rates: Option<Vec<f64>>,
+    /// Controls of all actuators of the file, in its order.
+    pub controls: Option<Vec<f64>>,
 }
 
 /// A coordinate that follows another one: `q = multiplier q_leader + offset`.
@@ -274,6 +351,11 @@ impl Robot {
             _ => None,
         });
         self.files.iter().cloned().chain(of_meshes).collect()
+    }
+
+    /// The names of its coordinates.
+    pub(crate) fn coordinate_names(&self) -> Vec<&str> {
+        self.joints.iter().flat_map(|joint| &joint.coordinates).map(|own| own.name.as_str()).collect()
     }
 
     /// The joint at which a link hangs.

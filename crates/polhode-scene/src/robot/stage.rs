@@ -39,6 +39,11 @@ pub(crate) fn scene_of(path: &Path) -> Result<String, RobotFileError> {
          file = {file:?}\nmaterial = \"rubber\"\n",
         name = robot.name
     );
+    if let Some(own) = robot.gravity {
+        // Before the tables of the text.
+        let line = format!("gravity = [{:?}, {:?}, {:?}]\n\n[materials", own.x, own.y, own.z);
+        text = text.replacen("[materials", &line, 1);
+    }
     let joined: BTreeSet<usize> = assembly
         .joints
         .iter()

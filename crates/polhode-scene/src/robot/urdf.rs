@@ -9,7 +9,7 @@ use super::finding::RobotDefect;
 use super::joint_extras;
 use super::mesh_path::MeshPaths;
 use super::model::{
-    Follower, Geom, GeomForm, Inertial, Link, Robot, RobotCoordinate, RobotJoint, RobotJointKind, Root,
+    EffortLimit, Follower, Geom, GeomForm, Inertial, Link, Robot, RobotCoordinate, RobotJoint, RobotJointKind, Root,
 };
 use super::reading::{Reading, turned};
 use glam::{DMat3, DVec3};
@@ -25,6 +25,9 @@ const KINDS: &str = "revolute, continuous, prismatic, fixed, floating or planar"
 /// Words for what no part of a simulation of bodies and joints reads.
 const OF_OTHERS: &str = "it is for other programs";
 
+/// Words for what says that a joint has a motor, and not what it exerts.
+const OF_TRANSMISSIONS: &str = "it does not say what its motor exerts: `drives` of [[models]] do";
+
 /// The robot that a document describes; `None` when its root or a joint cannot be used, which is noted.
 pub(super) fn read(root: &Element, paths: &MeshPaths, reading: &mut Reading) -> Option<Robot> {
     let name = root.attribute("name").unwrap_or("robot").to_owned();
@@ -33,7 +36,10 @@ pub(super) fn read(root: &Element, paths: &MeshPaths, reading: &mut Reading) -> 
         reading.refuse(element, "robot", RobotDefect::Xacro(text));
         return None;
     }
-    reading.ignore_others(root, &["link", "joint", "material"], OF_OTHERS);
+    reading.ignore_others(root, &["link", "joint", "material", "transmission"], OF_OTHERS);
+    for own in root.all("transmission") {
+        reading.ignore(own, "<transmission> of <robot>", OF_TRANSMISSIONS);
+    }
     let mut links = Vec::new();
     let mut numbers = BTreeMap::new();
     for element in root.all("link") {
@@ -63,7 +69,22 @@ pub(super) fn read(root: &Element, paths: &MeshPaths, reading: &mut Reading) -> 
     }
     let (place, files) = (root.place.clone(), Vec::new());
     let (loops, apart) = (Vec::new(), Vec::new());
-    Some(Robot { name, place, links, joints, loops, followers, apart, root: Root::Link, files })
+    let (actuators, actuator_names, keyframes) = (Vec::new(), Vec::new(), Vec::new());
+    Some(Robot {
+        name,
+        place,
+        links,
+        joints,
+        loops,
+        followers,
+        apart,
+        actuators,
+        actuator_names,
+        keyframes,
+        gravity: None,
+        root: Root::Link,
+        files,
+    })
 }
 
 /// The robot, whose first link is its root, with what the root stands for by its name.
@@ -287,10 +308,27 @@ fn coordinates(
         joint_extras::not_negative(own, key, value, &subject, reading)
     };
     let [damping, friction] = ["damping", "friction"].map(|key| constant(key).unwrap_or(0.0));
+    let effort_limit = limit.and_then(effort_limit);
     let (name, place) = (name.to_owned(), limit.unwrap_or(element).place.clone());
-    let coordinate =
-        RobotCoordinate { name, place, reference: 0.0, limits, damping, friction, stiffness: 0.0, rest: 0.0 };
+    let coordinate = RobotCoordinate {
+        name,
+        place,
+        reference: 0.0,
+        limits,
+        damping,
+        friction,
+        stiffness: 0.0,
+        rest: 0.0,
+        effort_limit,
+    };
     (kind, vec![coordinate])
+}
+
+/// The largest effort of the motor of a joint, where it leaves it any.
+fn effort_limit(limit: &Element) -> Option<EffortLimit> {
+    // What is no number, or none of a motor, is told with the bounds.
+    let most = limit.attribute("effort")?.trim().parse().ok().filter(|&most: &f64| most > 0.0)?;
+    Some(EffortLimit { place: limit.place.clone(), what: "`effort` of <limit>", most })
 }
 
 /// What a joint has that has no effect.
@@ -308,7 +346,9 @@ fn extras(element: &Element, kind: RobotJointKind, subject: &str, reading: &mut 
             if own.attribute(key).is_none() {
                 continue;
             }
-            reading.ignore(own, format!("`{key}` of <limit>"), joint_extras::OF_MOTORS);
+            if key == "velocity" {
+                reading.ignore(own, format!("`{key}` of <limit>"), joint_extras::OF_SPEEDS);
+            }
             let value = reading.number(own, key, subject);
             if let Some(value) = value.filter(|&value| value <= 0.0) {
                 reading.refuse(own, subject, RobotDefect::Bound { what: key, value });

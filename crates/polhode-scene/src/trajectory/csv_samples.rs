@@ -2,7 +2,7 @@
 
 use super::error::TrajectoryError;
 use super::expected::{CUT_OFF, Expected, Sample};
-use crate::trajectory_rows::{Row, Rows};
+use crate::trajectory_rows::{Row, Rows, Velocities};
 use std::path::Path;
 
 /// The samples of a CSV file, whose rows of one sample bear the same text in `t`.
@@ -16,12 +16,16 @@ pub(super) struct CsvSamples {
 }
 
 impl CsvSamples {
-    pub(super) fn open(path: &Path) -> Result<Self, TrajectoryError> {
-        let mut rows = Rows::open(path)?;
+    pub(super) fn open(path: &Path, velocities: Velocities) -> Result<Self, TrajectoryError> {
+        let mut rows = Rows::open(path, velocities)?;
         match rows.next()? {
             Some(next) => Ok(Self { rows, next: Some(next), fault: None }),
             None => Err(rows.content("it has no samples, only a first line".to_owned()).into()),
         }
+    }
+
+    pub(super) fn has_velocities(&self) -> bool {
+        self.rows.has_velocities()
     }
 
     pub(super) fn next(&mut self, expected: &mut Expected) -> Result<Option<Sample>, TrajectoryError> {

@@ -8,7 +8,7 @@ use super::counted_bytes::CountedBytes;
 use super::error::TrajectoryError;
 use super::expected::{CUT_OFF, Expected, Sample};
 use crate::output::{COLUMNS, ERROR_COLUMNS, ErrorColumns};
-use crate::trajectory_rows::{FIRST_NUMBER, NUMBERS, error_of};
+use crate::trajectory_rows::{FIRST_NUMBER, NUMBERS, Velocities, error_of};
 use serde::Deserialize;
 use serde::de::{DeserializeOwned, IgnoredAny};
 use std::fs::File;
@@ -30,22 +30,25 @@ pub(super) struct JsonSamples {
     /// Numbers of the bodies in the order of the file.
     bodies: Vec<usize>,
     error_columns: ErrorColumns,
+    /// How many numbers a body has, those of errors apart.
+    numbers: usize,
     is_first: bool,
     has_ended: bool,
 }
 
 impl JsonSamples {
-    pub(super) fn open(path: &Path, expected: &Expected) -> Result<Self, TrajectoryError> {
+    pub(super) fn open(path: &Path, expected: &Expected, velocities: Velocities) -> Result<Self, TrajectoryError> {
         let file = File::open(path).map_err(|source| TrajectoryError::Read { path: path.to_owned(), source })?;
         let bytes = CountedBytes::new(BufReader::new(file));
         let (path, bodies, error_columns) = (path.to_owned(), Vec::new(), ErrorColumns::Absent);
-        let mut samples = Self { path, bytes, bodies, error_columns, is_first: true, has_ended: false };
-        samples.read_head(expected)?;
+        let numbers = NUMBERS;
+        let mut samples = Self { path, bytes, bodies, error_columns, numbers, is_first: true, has_ended: false };
+        samples.read_head(expected, velocities)?;
         Ok(samples)
     }
 
     /// Reads up to the first sample.
-    fn read_head(&mut self, expected: &Expected) -> Result<(), TrajectoryError> {
+    fn read_head(&mut self, expected: &Expected, velocities: Velocities) -> Result<(), TrajectoryError> {
         self.take(b'{')?;
         let (mut bodies, mut columns) = (None::<Vec<String>>, None::<Vec<String>>);
         loop {
@@ -60,12 +63,17 @@ impl JsonSamples {
             self.take(b',')?;
         }
         let columns = columns.unwrap_or_default();
-        let is_as = |own: &ErrorColumns| columns == [&COLUMNS[FIRST_NUMBER..], own.names()].concat();
-        let Some(error_columns) = [ErrorColumns::Absent, ErrorColumns::Written].into_iter().find(is_as) else {
-            let (list, more) = (COLUMNS[FIRST_NUMBER..].join(", "), ERROR_COLUMNS.join(", "));
+        let kinds = velocities.widths().iter().flat_map(|&width| {
+            [ErrorColumns::Absent, ErrorColumns::Written].map(|errors| (&COLUMNS[FIRST_NUMBER..width], errors))
+        });
+        let mut kinds = kinds.filter(|(numbers, errors)| columns == [numbers, errors.names()].concat());
+        let Some((numbers, error_columns)) = kinds.next() else {
+            let lists: Vec<String> =
+                velocities.widths().iter().map(|&width| COLUMNS[FIRST_NUMBER..width].join(", ")).collect();
+            let (list, more) = (lists.join(", or "), ERROR_COLUMNS.join(", "));
             return Err(self.wrong(format!("`columns` must stand before `samples` and be {list}, or that and {more}")));
         };
-        self.error_columns = error_columns;
+        (self.numbers, self.error_columns) = (numbers.len(), error_columns);
         let bodies = bodies.ok_or_else(|| self.wrong("`bodies` must stand before `samples`".to_owned()))?;
         for name in &bodies {
             let number = expected.body(name).map_err(|reason| self.wrong(reason))?;
@@ -78,6 +86,10 @@ impl JsonSamples {
             return Err(self.wrong(format!("body `{}` of the scene is missing in `bodies`", expected.name(missing))));
         }
         self.take(b'[')
+    }
+
+    pub(super) fn has_velocities(&self) -> bool {
+        self.numbers == NUMBERS
     }
 
     pub(super) fn next(&mut self, expected: &mut Expected) -> Result<Option<Sample>, TrajectoryError> {
@@ -106,14 +118,16 @@ impl JsonSamples {
         let (mut states, mut errors) = (vec![None; self.bodies.len()], vec![None; self.bodies.len()]);
         for (&number, row) in self.bodies.iter().zip(written.states) {
             let row: Vec<f64> = row.into_iter().map(|number| number.unwrap_or(f64::NAN)).collect();
-            let needed = NUMBERS + self.error_columns.names().len();
-            let Some((numbers, error)) = row.split_first_chunk().filter(|_| row.len() == needed) else {
+            let needed = self.numbers + self.error_columns.names().len();
+            let Some((read, error)) = row.split_at_checked(self.numbers).filter(|_| row.len() == needed) else {
                 let name = expected.name(number);
                 return Err(self.wrong(format!("body `{name}` has {} of {needed} numbers", row.len())));
             };
+            let mut numbers = [0.0; NUMBERS];
+            numbers.iter_mut().zip(read).for_each(|(own, read)| *own = *read);
             let error = error.first_chunk().copied().map_or(Ok(None), error_of);
             errors[number] = error.map_err(|reason| self.wrong(reason))?;
-            states[number] = Some(expected.state(number, *numbers).map_err(|reason| self.wrong(reason))?);
+            states[number] = Some(expected.state(number, numbers).map_err(|reason| self.wrong(reason))?);
         }
         let (bodies, errors) = (states.into_iter().flatten().collect(), errors.into_iter().collect());
         Ok(Some(Sample { t_s: t, bodies, errors }))

@@ -20,5 +20,6 @@ mod json_samples;
 mod npy_samples;
 mod reader;
 
+pub use crate::trajectory_rows::Velocities;
 pub use error::{FilePlace, TRAJECTORY_ENDINGS, TrajectoryError};
 pub use reader::{TrajectoryReader, is_trajectory};

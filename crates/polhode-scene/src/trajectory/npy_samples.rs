@@ -6,8 +6,8 @@
 
 use super::error::{FilePlace, TrajectoryError};
 use super::expected::{CUT_OFF, Expected, Sample};
-use crate::output::{ERROR_COLUMNS, ErrorColumns, NPY_WIDTH, NPY_WIDTH_WITH_ERRORS};
-use crate::trajectory_rows::{NUMBERS, error_of};
+use crate::output::{COLUMNS, ERROR_COLUMNS, ErrorColumns, NPY_WIDTH, NPY_WIDTH_WITH_ERRORS};
+use crate::trajectory_rows::{FIRST_NUMBER, NUMBERS, Velocities, error_of};
 use std::fs::File;
 use std::io::{self, BufReader, Read};
 use std::path::{Path, PathBuf};
@@ -25,6 +25,8 @@ pub(super) struct NpySamples {
     path: PathBuf,
     input: BufReader<File>,
     error_columns: ErrorColumns,
+    /// How many numbers a body has behind its time, those of errors apart.
+    numbers: usize,
     /// Bytes read.
     byte: u64,
     /// Samples that are left.
@@ -34,20 +36,28 @@ pub(super) struct NpySamples {
 }
 
 impl NpySamples {
-    pub(super) fn open(path: &Path, expected: &Expected) -> Result<Self, TrajectoryError> {
+    pub(super) fn open(path: &Path, expected: &Expected, velocities: Velocities) -> Result<Self, TrajectoryError> {
         let cannot_read = |source| TrajectoryError::Read { path: path.to_owned(), source };
         let file = File::open(path).map_err(cannot_read)?;
         let length = file.metadata().map_err(cannot_read)?.len();
         let (path, input, error_columns) = (path.to_owned(), BufReader::new(file), ErrorColumns::Absent);
-        let mut samples = Self { path, input, error_columns, byte: 0, left: 0, cut_off: None };
+        let numbers = NUMBERS;
+        let mut samples = Self { path, input, error_columns, numbers, byte: 0, left: 0, cut_off: None };
         let header = samples.header()?;
         let [count, bodies, width] = shape(&header).map_err(|reason| samples.wrong(reason))?;
-        if width == NPY_WIDTH_WITH_ERRORS as u64 {
-            samples.error_columns = ErrorColumns::Written;
-        }
-        let is_trajectory = samples.error_columns == ErrorColumns::Written || width == NPY_WIDTH as u64;
-        if bodies != expected.count() as u64 || !is_trajectory {
-            let needed = format!("(samples, {}, {NPY_WIDTH} or {NPY_WIDTH_WITH_ERRORS})", expected.count());
+        // Instead of the name of the body, a row has its place.
+        let kinds = velocities.widths().iter().flat_map(|&columns| {
+            let plain = NPY_WIDTH - COLUMNS.len() + columns;
+            let errors = NPY_WIDTH_WITH_ERRORS - COLUMNS.len() + columns;
+            [(plain, columns, ErrorColumns::Absent), (errors, columns, ErrorColumns::Written)]
+        });
+        let kinds: Vec<_> = kinds.collect();
+        let kind = kinds.iter().find(|(own, ..)| *own as u64 == width).filter(|_| bodies == expected.count() as u64);
+        if let Some((_, columns, error_columns)) = kind {
+            (samples.numbers, samples.error_columns) = (columns - FIRST_NUMBER, *error_columns);
+        } else {
+            let widths: Vec<String> = kinds.iter().map(|(own, ..)| own.to_string()).collect();
+            let needed = format!("(samples, {}, {})", expected.count(), widths.join(" or "));
             let what = format!("its shape is ({count}, {bodies}, {width}), and the scene's is {needed}");
             return Err(samples.wrong(format!("{what}: is it another scene's?")));
         }
@@ -77,6 +87,10 @@ impl NpySamples {
         }
         samples.left = count;
         Ok(samples)
+    }
+
+    pub(super) fn has_velocities(&self) -> bool {
+        self.numbers == NUMBERS
     }
 
     /// Reads the dictionary before the data.
@@ -117,7 +131,7 @@ impl NpySamples {
                 }
             }
             let mut numbers = [0.0; NUMBERS];
-            for number in &mut numbers {
+            for number in numbers.iter_mut().take(self.numbers) {
                 *number = f64::from_le_bytes(self.bytes()?);
             }
             bodies.push(expected.state(number, numbers).map_err(|reason| self.wrong(reason))?);

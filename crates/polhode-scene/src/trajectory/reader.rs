@@ -5,6 +5,7 @@ use super::error::TrajectoryError;
 use super::expected::Expected;
 use super::json_samples::JsonSamples;
 use super::npy_samples::NpySamples;
+use crate::trajectory_rows::Velocities;
 use polhode::{BodyError, BodySample, Scene};
 use std::path::Path;
 
@@ -64,11 +65,19 @@ impl TrajectoryReader {
     /// # Errors
     /// When the ending is unknown, or the file cannot be read or does not begin as a trajectory of the scene.
     pub fn open(path: &Path, scene: &Scene) -> Result<Self, TrajectoryError> {
+        Self::open_with(path, scene, Velocities::Needed)
+    }
+
+    /// The same of one that may lack velocities, which are zero then.
+    ///
+    /// # Errors
+    /// As [`TrajectoryReader::open`].
+    pub fn open_with(path: &Path, scene: &Scene, velocities: Velocities) -> Result<Self, TrajectoryError> {
         let expected = Expected::new(scene);
         let samples = match Kind::of(path).ok_or_else(|| TrajectoryError::Ending { path: path.to_owned() })? {
-            Kind::Csv => Samples::Csv(Box::new(CsvSamples::open(path)?)),
-            Kind::Json => Samples::Json(JsonSamples::open(path, &expected)?),
-            Kind::Npy => Samples::Npy(NpySamples::open(path, &expected)?),
+            Kind::Csv => Samples::Csv(Box::new(CsvSamples::open(path, velocities)?)),
+            Kind::Json => Samples::Json(JsonSamples::open(path, &expected, velocities)?),
+            Kind::Npy => Samples::Npy(NpySamples::open(path, &expected, velocities)?),
         };
         Ok(Self { samples, expected, has_begun: false, errors: None, cut_off: None })
     }
@@ -99,6 +108,15 @@ impl TrajectoryReader {
                 self.errors = next.as_ref().and_then(|sample| sample.errors.clone());
                 Ok(next.map(|sample| (sample.t_s, sample.bodies)))
             }
+        }
+    }
+
+    /// Whether the file has velocities.
+    pub fn has_velocities(&self) -> bool {
+        match &self.samples {
+            Samples::Csv(samples) => samples.has_velocities(),
+            Samples::Json(samples) => samples.has_velocities(),
+            Samples::Npy(samples) => samples.has_velocities(),
         }
     }
 

@@ -49,6 +49,74 @@ fn courses_stand_over_the_joints_of_those_below() {
     assert_eq!(masses, [2.0, 2.0, 2.0, 1.0, 2.0, 2.0, 1.0, 2.0, 2.0, 2.0]);
 }
 
+/// An arch of n stones over an opening: every stone is the one before it, turned by the opening over n about the centre
+/// of the arch, and the joint at its ends lies on the ground of a semicircle. Fixed springers do not move.
+#[test]
+fn an_arch_is_turned_stones() {
+    let arch = |keys: &str| {
+        scene(&format!(
+            "format = 1\n[[arrays]]\nname = \"stone\"\ndensity = 2000\nposition = [1, 2, 3]\n\
+             layout.arch = {{ radius = 2, thickness = 0.5, width = 0.4, {keys} }}\n"
+        ))
+    };
+    let found = arch("count = 5");
+    assert_eq!(names(&found), ["stone-1", "stone-2", "stone-3", "stone-4", "stone-5"]);
+    for (k, body) in found.bodies().iter().enumerate() {
+        let pose = body.initial_pose();
+        let angle = (k as f64 - 2.0) * std::f64::consts::PI / 5.0;
+        let outwards = DVec3::new(angle.sin(), 0.0, angle.cos());
+        assert!((pose.rotation.rotate(DVec3::X) - outwards).length() < 1e-15, "{k}");
+        assert!((pose.rotation.rotate(DVec3::Z) + DVec3::Y).length() < 1e-15, "{k}");
+        assert_eq!(pose.translation, DVec3::new(1.0, 2.0, 3.0));
+        // 2000 kg/m^3 times half the sine of its angle, the difference of the squares of its radii, and its width.
+        let mass = 2000.0 * 0.5 * (std::f64::consts::PI / 5.0).sin() * (2.25 * 2.25 - 1.75 * 1.75) * 0.4;
+        assert!((body.mass_properties().unwrap().mass() / mass - 1.0).abs() < 1e-14);
+    }
+    let fixed = arch("count = 6, opening = 1.2, springers = \"fixed\", turn = 1.5707963267948966");
+    let moves: Vec<bool> = fixed.bodies().iter().map(|body| !body.is_fixed()).collect();
+    assert_eq!(moves, [false, true, true, true, true, false]);
+    assert!(fixed.bodies()[0].initial_pose().rotation.rotate(DVec3::X).x.abs() < 1e-15);
+}
+
+/// Bodies of a ring stand around the vertical, each turned with its place; wedges that close a circle touch and do not
+/// overlap.
+#[test]
+fn a_ring_is_turned_about_the_vertical() {
+    let found = scene(&array("position = [1, 0, 0.2]\nlayout.ring = { count = 4, radius = 3 }"));
+    let expected = [[4.0, 0.0, 0.2], [1.0, 3.0, 0.2], [-2.0, 0.0, 0.2], [1.0, -3.0, 0.2]];
+    for (place, expected) in positions(&found).iter().zip(expected) {
+        assert!((*place - DVec3::from_array(expected)).length() < 1e-14, "{place}");
+    }
+    assert!((found.bodies()[1].initial_pose().rotation.rotate(DVec3::X) - DVec3::Y).length() < 1e-15);
+    let angle = std::f64::consts::TAU / 7.0;
+    let well = array("layout.ring = { count = 7 }").replace(
+        "shape.box.size = [0.4, 0.4, 0.4]",
+        &format!("shape.wedge = {{ inner_radius = 1, outer_radius = 2, angle = {angle}, width = 1 }}"),
+    );
+    assert!(polhode::Simulation::new(&scene(&well)).is_ok());
+}
+
+/// Every mistake in a ring or an arch is refused at its key.
+#[test]
+fn mistakes_in_rings_and_arches_are_refused() {
+    let arch = |keys: &str| {
+        array(&format!("layout.arch = {{ width = 1, {keys} }}")).replace("shape.box.size = [0.4, 0.4, 0.4]\n", "")
+    };
+    for (keys, key, message) in [
+        ("count = 0, radius = 1, thickness = 0.1", "count", "at least 1"),
+        ("count = 1, radius = 1, thickness = 0.1", "count", "less than half a turn"),
+        ("count = 9, radius = -1, thickness = 0.1", "radius", "positive"),
+        ("count = 9, radius = 1, thickness = 2", "thickness", "below twice the radius"),
+        ("count = 9, radius = 1, thickness = 0.1, opening = 7", "opening", "whole turn"),
+        ("count = 9, radius = 1, thickness = 0.1, springers = \"stiff\"", "springers", "accepted: `loose`, `fixed`"),
+    ] {
+        check(&arch(keys), &format!("arrays.cube.layout.arch.{key}"), key, message);
+    }
+    let shaped = array("layout.arch = { count = 9, radius = 1, thickness = 0.1, width = 1 }");
+    check(&shaped, "arrays.cube.shape", "shape", "an arch, whose stones are wedges of its own");
+    check(&array("layout.ring = { count = 3, radius = -1 }"), "arrays.cube.layout.ring.radius", "radius", "at least 0");
+}
+
 trait Abscissas {
     fn map_x(&self) -> Vec<f64>;
 }
@@ -133,19 +201,19 @@ fn bodies_of_arrays_have_names() {
 fn mistakes_are_refused() {
     let cases = [
         ("", "arrays.cube", "[[arrays]]", "missing key `layout`"),
-        ("layout = {}", "arrays.cube.layout", "layout", "one of grid, pyramid, wall or drop"),
+        ("layout = {}", "arrays.cube.layout", "layout", "one of grid, pyramid, wall, ring, arch or drop"),
         (
             "layout.pyramid = { base = 2, spacing = [1, 1] }\n\
              layout.wall = { length = 2, height = 2, spacing = [1, 1] }",
             "arrays.cube.layout",
             "layout",
-            "one of grid, pyramid, wall or drop",
+            "one of grid, pyramid, wall, ring, arch or drop",
         ),
         (
             "layout.heap = { count = 3 }",
             "arrays.cube.layout.heap",
             "heap",
-            "accepted: `grid`, `pyramid`, `wall`, `drop`",
+            "accepted: `grid`, `pyramid`, `wall`, `ring`, `arch`, `drop`",
         ),
         ("layout.pyramid = { base = 0, spacing = [1, 1] }", "arrays.cube.layout.pyramid.base", "base", "at least 1"),
         ("layout.pyramid = { base = -1, spacing = [1, 1] }", "arrays.cube.layout.pyramid.base", "base", "whole number"),

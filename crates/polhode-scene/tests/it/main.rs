@@ -21,6 +21,7 @@ mod refusals;
 mod robots;
 mod robots_bad;
 mod robots_doctor;
+mod robots_drives;
 mod robots_mjcf;
 mod robots_real;
 mod robustness;

@@ -8,8 +8,10 @@
 //! (docs/REFERENCES.md).
 
 use super::error::SweepError;
+use super::gauss::{self, Weight};
 use blake2::digest::consts::U8;
 use blake2::{Blake2b, Digest};
+use std::fmt;
 
 /// Bits of a share: with half of its last place added it is a float exactly.
 const BITS: u32 = 52;
@@ -41,6 +43,28 @@ pub enum Distribution {
     },
     /// Each of some values, at least one, is as probable as the others.
     Choice(Vec<String>),
+}
+
+impl fmt::Display for Distribution {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Normal { mean, deviation } => write!(f, "normal({mean}, {deviation})"),
+            Self::LogNormal { median, spread } => write!(f, "lognormal({median}, {spread})"),
+            Self::Uniform { low, high } => write!(f, "uniform({low}, {high})"),
+            Self::Choice(values) => write!(f, "choice({})", values.join(", ")),
+        }
+    }
+}
+
+/// A node of a quadrature.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Node {
+    /// Deviations from the mean, a place from -1 to 1, or the number of a choice.
+    pub(super) at: f64,
+    /// Its weight; the sum of all is 1.
+    pub(super) weight: f64,
+    /// The value, as a scene has it.
+    pub(super) value: String,
 }
 
 /// What distributions are accepted, for messages.
@@ -105,6 +129,53 @@ impl Distribution {
         format!("{number:?}")
     }
 
+    /// The standard deviation, near enough to choose a step by; none where values are no numbers.
+    pub(super) fn deviation(&self) -> Option<f64> {
+        match self {
+            Self::Normal { deviation, .. } => Some(*deviation),
+            Self::LogNormal { median, spread } => Some(median * spread),
+            Self::Uniform { low, high } => Some((high - low) / libm::sqrt(12.0)),
+            Self::Choice(_) => None,
+        }
+    }
+
+    /// Nodes of Gauss's quadrature; all values of a choice, whatever their number.
+    pub(super) fn nodes(&self, count: usize) -> Vec<Node> {
+        if self.deviation() == Some(0.0) {
+            return vec![Node { at: 0.0, weight: 1.0, value: self.at(0.5) }];
+        }
+        let weight = match self {
+            Self::Normal { .. } | Self::LogNormal { .. } => Weight::Normal,
+            Self::Uniform { .. } => Weight::Even,
+            Self::Choice(values) => {
+                let each = 1.0 / values.len() as f64;
+                let node =
+                    |(place, value): (usize, &String)| Node { at: place as f64, weight: each, value: value.clone() };
+                return values.iter().enumerate().map(node).collect();
+            }
+        };
+        let value = |at: f64| match self {
+            Self::Normal { mean, deviation } => mean + deviation * at,
+            Self::LogNormal { median, spread } => median * libm::exp(spread * at),
+            Self::Uniform { low, high } => low + (high - low) * (0.5 * (at + 1.0)),
+            Self::Choice(_) => f64::NAN,
+        };
+        let node = |[at, weight]: [f64; 2]| Node { at, weight, value: format!("{:?}", value(at)) };
+        gauss::rule(weight, count).into_iter().map(node).collect()
+    }
+
+    /// Where a value is among the nodes: as [`Node::at`].
+    pub(super) fn place_of(&self, value: &str) -> Option<f64> {
+        let number = || value.parse::<f64>().ok();
+        match self {
+            _ if self.deviation() == Some(0.0) => Some(0.0),
+            Self::Normal { mean, deviation } => number().map(|own| (own - mean) / deviation),
+            Self::LogNormal { median, spread } => number().map(|own| libm::log(own / median) / spread),
+            Self::Uniform { low, high } => number().map(|own| 2.0 * ((own - low) / (high - low)) - 1.0),
+            Self::Choice(values) => values.iter().position(|own| own == value).map(|place| place as f64),
+        }
+    }
+
     /// The value of a run: it depends on nothing but seed, run and key.
     pub fn draw(&self, seed: u64, run: u64, key: &str) -> String {
         self.at(share(seed, run, key))
@@ -112,7 +183,7 @@ impl Distribution {
 }
 
 /// The share of a run, between 0 and 1 without both.
-fn share(seed: u64, run: u64, key: &str) -> f64 {
+pub(crate) fn share(seed: u64, run: u64, key: &str) -> f64 {
     let digest = Blake2b::<U8>::digest(format!("{seed}\n{run}\n{key}").as_bytes());
     let whole = digest.iter().fold(0_u64, |whole, byte| (whole << 8) | u64::from(*byte));
     ((whole >> (u64::BITS - BITS)) as f64 + 0.5) / (1_u64 << BITS) as f64

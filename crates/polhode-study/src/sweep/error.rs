@@ -37,6 +37,16 @@ pub enum SweepError {
     /// A number of draws, where nothing is drawn, or none where something is.
     #[error("{0}")]
     Draws(String),
+    /// The scene does not take an end of a range that is uncertain.
+    #[error("uncertain {key} reaches {value}, which the scene refuses: {why}; give limits within what is accepted")]
+    Reach {
+        /// The key.
+        key: String,
+        /// The value.
+        value: String,
+        /// Why it is refused.
+        why: String,
+    },
     /// A share of the runs that is none.
     #[error("shard {0}: I/N is needed, with 1 <= I <= N, as 2/8")]
     Shard(String),

@@ -1,16 +1,18 @@
 //! Which runs a sweep has: values of lists combined, draws first, and what is measured of each.
 
+use super::design::{Design, Part};
 use super::error::SweepError;
 use super::measure::{Measure, Measured};
 use super::scene::SweepScene;
-use super::varied::{Values, Varied};
+use super::varied::{Acts, Values, Varied};
 use crate::candidate::change;
-use polhode_scene::{LoadedScene, Override};
+use polhode::spatial::DVec3;
+use polhode_scene::{LoadedScene, Override, StartPose};
 use std::num::NonZeroU64;
 use std::ops::Range;
 
 /// Runs of a sweep at the most: a table of a few columns fills a gigabyte.
-const MOST_RUNS: u64 = 10_000_000;
+pub(crate) const MOST_RUNS: u64 = 10_000_000;
 
 /// Values of a list that are checked at most: every one of a list that a person has written.
 const MOST_CHECKED: usize = 200;
@@ -18,14 +20,22 @@ const MOST_CHECKED: usize = 200;
 /// Columns that every table has before what is measured, and after what is varied.
 const OUTCOME: &str = "outcome";
 const ERROR: &str = "error";
+/// What errors name as the place of a body that is moved.
+const ORIGIN: &str = "study";
 /// The first and the last column.
 const RUN: &str = "run";
+/// The second column, of a sweep of what is uncertain: what a row is for.
+const PART: &str = "part";
 const REASON: &str = "reason";
 
 /// Which runs there are, and what is measured of each.
 #[derive(Debug, Clone)]
 pub struct Sweep {
     pub(super) varied: Vec<Varied>,
+    /// Bodies that are moved and turned.
+    poses: Vec<StartPose>,
+    /// What the runs of a sweep of what is uncertain are for.
+    pub(super) design: Option<Design>,
     seed: u64,
     pub(super) measures: Vec<Measure>,
     runs: u64,
@@ -43,14 +53,7 @@ impl Sweep {
         seed: u64,
         measures: Vec<Measure>,
     ) -> Result<Self, SweepError> {
-        let mut columns: Vec<&str> = vec![RUN, OUTCOME, ERROR, REASON];
-        let keys = varied.iter().map(|own| own.key.as_str());
-        for column in keys.chain(measures.iter().map(|own| own.column.as_str())) {
-            if columns.contains(&column) {
-                return Err(SweepError::Column(column.to_owned()));
-            }
-            columns.push(column);
-        }
+        check_columns(&varied, &measures)?;
         let is_drawn = varied.iter().any(|own| matches!(own.values, Values::Drawn(_)));
         let draws = match (draws, is_drawn) {
             (Some(draws), true) => draws.get(),
@@ -66,12 +69,54 @@ impl Sweep {
             Values::Listed(values) => values.len() as u64,
             Values::Drawn(_) => 1,
         });
-        let runs = points.clone().try_fold(draws, u64::checked_mul);
-        let Some(runs) = runs.filter(|runs| (1..=MOST_RUNS).contains(runs)) else {
-            let runs = runs.map_or_else(|| "too many".to_owned(), |runs| runs.to_string());
-            return Err(SweepError::Runs { runs, most: MOST_RUNS });
+        let runs = accepted(points.clone().try_fold(draws, u64::checked_mul))?;
+        Ok(Self { varied, poses: Vec::new(), design: None, seed, measures, runs })
+    }
+
+    /// A sweep of values that are all drawn, by a design.
+    pub(super) fn designed(
+        (varied, poses): (Vec<Varied>, Vec<StartPose>),
+        design: Design,
+        draws: Option<NonZeroU64>,
+        (seed, measures): (u64, Vec<Measure>),
+    ) -> Result<Self, SweepError> {
+        check_columns(&varied, &measures)?;
+        let Some(draws) = draws else {
+            return Err(SweepError::Draws("the scene has uncertain values: --random N says how often".to_owned()));
         };
-        Ok(Self { varied, seed, measures, runs })
+        let of_draws = draws.get().checked_mul(design.of_draw(varied.len()));
+        let runs = accepted(of_draws.and_then(|own| own.checked_add(design.before_draws())))?;
+        Ok(Self { varied, poses, design: Some(design), seed, measures, runs })
+    }
+
+    /// What is varied.
+    pub fn varied(&self) -> &[Varied] {
+        &self.varied
+    }
+
+    /// Whether it draws what the scene says is uncertain.
+    pub fn is_uncertain(&self) -> bool {
+        self.design.is_some()
+    }
+
+    /// Whether a value is drawn.
+    pub fn is_drawn(&self) -> bool {
+        self.varied.iter().any(|own| matches!(own.values, Values::Drawn(_)))
+    }
+
+    /// The seed of the draws.
+    pub fn seed(&self) -> u64 {
+        self.seed
+    }
+
+    /// Columns of a row between its number and its outcome.
+    pub(super) fn leading(&self) -> usize {
+        self.varied.len() + usize::from(self.design.is_some())
+    }
+
+    /// What a run is for, in a sweep of what is uncertain; a draw in another one.
+    pub(super) fn part(&self, run: u64) -> Part {
+        self.design.as_ref().map_or(Part::Draw(run), |design| design.part(run, self.varied.len()))
     }
 
     /// How many runs there are.
@@ -92,8 +137,17 @@ impl Sweep {
         Ok(at(number - 1)..at(number))
     }
 
+    /// What the table has of a run before its outcome: in a sweep of what is uncertain what it is for; its values.
+    pub(super) fn leading_cells(&self, run: u64) -> Vec<String> {
+        let part = self.design.as_ref().map(|_| self.part(run).word().to_owned());
+        part.into_iter().chain(self.values(run)).collect()
+    }
+
     /// The values of a run, as a scene has them, in the order in which the keys are varied.
     pub fn values(&self, run: u64) -> Vec<String> {
+        if let Some(design) = &self.design {
+            return design.values(&self.varied, self.seed, run);
+        }
         let points: u64 = self.varied.iter().map(|own| own.values.count()).product();
         let mut point = run % points;
         let mut values: Vec<String> = self
@@ -116,7 +170,24 @@ impl Sweep {
 
     /// The changes of a run.
     pub fn changes(&self, run: u64) -> Vec<Override> {
-        self.varied.iter().zip(self.values(run)).map(|(own, value)| change(&own.key, value)).collect()
+        self.changes_of(self.values(run))
+    }
+
+    /// The changes that values of all keys are.
+    fn changes_of(&self, values: Vec<String>) -> Vec<Override> {
+        let mut moved = vec![[DVec3::ZERO; 2]; self.poses.len()];
+        let mut changes = Vec::with_capacity(values.len());
+        for (own, value) in self.varied.iter().zip(values) {
+            let number = || value.parse().unwrap_or(f64::NAN);
+            match &own.acts {
+                Acts::Sets => changes.push(change(&own.key, value)),
+                Acts::Shifts(bodies, axis) => bodies.iter().for_each(|body| moved[*body][0][*axis] = number()),
+                Acts::Turns(bodies, axis) => bodies.iter().for_each(|body| moved[*body][1][*axis] = number()),
+            }
+        }
+        let of_poses = self.poses.iter().zip(moved).flat_map(|(pose, [shift, turn])| pose.moved(shift, turn, ORIGIN));
+        changes.extend(of_poses);
+        changes
     }
 
     /// The names of the columns of the table.
@@ -126,6 +197,7 @@ impl Sweep {
         let owned = |text: &str| text.to_owned();
         [owned(RUN)]
             .into_iter()
+            .chain(self.design.as_ref().map(|_| owned(PART)))
             .chain(keys)
             .chain([OUTCOME, ERROR].map(owned))
             .chain(measures)
@@ -144,9 +216,13 @@ impl Sweep {
     /// # Errors
     /// When it does not.
     pub fn check(&self, scene: &SweepScene<'_>) -> Result<(), SweepError> {
-        let first: Vec<Override> = self.varied.iter().map(|own| change(&own.key, own.values.middle())).collect();
-        let loaded = scene.loaded(&first)?;
+        let middle: Vec<String> = self.varied.iter().map(|own| own.values.middle()).collect();
+        let loaded = scene.loaded(&self.changes_of(middle))?;
         self.measured_of(&loaded)?;
+        if self.design.is_some() {
+            return Ok(());
+        }
+        let first: Vec<Override> = self.varied.iter().map(|own| change(&own.key, own.values.middle())).collect();
         for (place, own) in self.varied.iter().enumerate() {
             let Values::Listed(values) = &own.values else { continue };
             let stride = values.len().div_ceil(MOST_CHECKED).max(1);
@@ -166,8 +242,29 @@ impl Sweep {
 
     /// What makes it this sweep and no other, in words; the number of draws does not.
     pub(super) fn told(&self) -> String {
-        format!("{:?}", (self.seed, &self.varied, &self.measures))
+        format!("{:?}", (self.seed, &self.varied, &self.poses, &self.design, &self.measures))
     }
+}
+
+/// The columns have different names.
+fn check_columns(varied: &[Varied], measures: &[Measure]) -> Result<(), SweepError> {
+    let mut columns: Vec<&str> = vec![RUN, PART, OUTCOME, ERROR, REASON];
+    let keys = varied.iter().map(|own| own.key.as_str());
+    for column in keys.chain(measures.iter().map(|own| own.column.as_str())) {
+        if columns.contains(&column) {
+            return Err(SweepError::Column(column.to_owned()));
+        }
+        columns.push(column);
+    }
+    Ok(())
+}
+
+/// A number of runs within the limits.
+fn accepted(runs: Option<u64>) -> Result<u64, SweepError> {
+    runs.filter(|runs| (1..=MOST_RUNS).contains(runs)).ok_or_else(|| {
+        let runs = runs.map_or_else(|| "too many".to_owned(), |runs| runs.to_string());
+        SweepError::Runs { runs, most: MOST_RUNS }
+    })
 }
 
 impl Values {
@@ -179,7 +276,7 @@ impl Values {
     }
 
     /// The first value of a list, or the middle of a distribution.
-    fn middle(&self) -> String {
+    pub(super) fn middle(&self) -> String {
         match self {
             Self::Listed(values) => values.first().cloned().unwrap_or_default(),
             Self::Drawn(drawn) => drawn.at(0.5),

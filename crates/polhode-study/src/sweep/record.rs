@@ -10,6 +10,7 @@ use super::plan::Sweep;
 use super::run::Row;
 use blake2::digest::consts::U16;
 use blake2::{Blake2b, Digest};
+use polhode_scene::csv::{fields, quoted};
 use std::fs::{self, File, OpenOptions};
 use std::io::{Read as _, Write as _};
 use std::ops::Range;
@@ -41,10 +42,15 @@ impl Sweep {
         self.columns().iter().map(|column| quoted(column)).collect::<Vec<_>>().join(",")
     }
 
+    /// The first two lines of its file.
+    pub(super) fn head(&self, digest: &str) -> String {
+        format!("{MARK}{digest}\n{}\n", self.columns_line())
+    }
+
     /// The row of a line of this sweep.
     fn row_of(&self, line: &str) -> Option<Row> {
-        let cells = cells(line.strip_suffix('\n').unwrap_or(line));
-        let (keys, measures) = (self.varied.len(), self.measures.len());
+        let cells = fields(line.strip_suffix('\n').unwrap_or(line));
+        let (keys, measures) = (self.leading(), self.measures.len());
         let (run, rest) = cells.split_first()?;
         if rest.len() != keys + measures + 3 {
             return None;
@@ -69,7 +75,7 @@ impl Row {
         let numbers = std::iter::once(self.error).chain(self.measured.iter().copied()).map(digits);
         let cells = [self.run.to_string()].into_iter().chain(self.values.iter().cloned()).chain([self.outcome.clone()]);
         let all = cells.chain(numbers).chain([self.reason.clone()]);
-        all.map(|cell| quoted(&cell)).collect::<Vec<_>>().join(",")
+        all.map(|cell| quoted(&cell).into_owned()).collect::<Vec<_>>().join(",")
     }
 }
 
@@ -86,7 +92,7 @@ impl Record {
         has: impl FnMut(&Row),
     ) -> Result<Self, SweepError> {
         let fault = |source| SweepError::File { path: path.display().to_string(), source };
-        let head = head(sweep, digest);
+        let head = sweep.head(digest);
         let mut file = OpenOptions::new().read(true).append(true).create(true).open(path).map_err(fault)?;
         let mut bytes = Vec::new();
         file.read_to_end(&mut bytes).map_err(fault)?;
@@ -135,7 +141,7 @@ impl Record {
     ) -> Result<(), SweepError> {
         let bytes = fs::read(shard).map_err(|source| SweepError::File { path: shard.display().to_string(), source })?;
         let text = String::from_utf8_lossy(&bytes);
-        let lines = lines_of(shard, &text, &head(sweep, digest))?;
+        let lines = lines_of(shard, &text, &sweep.head(digest))?;
         for row in rows_of(shard, sweep, &lines, runs)? {
             if row.run == self.next {
                 self.append(&row)?;
@@ -173,11 +179,6 @@ pub fn shards_of(path: &Path) -> Vec<[u64; 2]> {
     let mut all: Vec<[u64; 2]> = names.filter_map(shard).collect();
     all.sort_by(|[a, of_a], [b, of_b]| (u128::from(*a) * u128::from(*of_b)).cmp(&(u128::from(*b) * u128::from(*of_a))));
     all
-}
-
-/// The first two lines of a file.
-fn head(sweep: &Sweep, digest: &str) -> String {
-    format!("{MARK}{digest}\n{}\n", sweep.columns_line())
 }
 
 /// The whole lines of a text behind its head, with their ends.
@@ -236,33 +237,6 @@ fn records(text: &str) -> Vec<&str> {
         }
     }
     all
-}
-
-/// The fields of a line.
-fn cells(line: &str) -> Vec<String> {
-    let (mut all, mut cell, mut is_quoted, mut letters) = (Vec::new(), String::new(), false, line.chars().peekable());
-    while let Some(letter) = letters.next() {
-        match letter {
-            '"' if is_quoted && letters.peek() == Some(&'"') => {
-                letters.next();
-                cell.push('"');
-            }
-            '"' => is_quoted = !is_quoted,
-            ',' if !is_quoted => all.push(std::mem::take(&mut cell)),
-            other => cell.push(other),
-        }
-    }
-    all.push(cell);
-    all
-}
-
-/// A field, in quotes where it needs them.
-fn quoted(field: &str) -> String {
-    if field.contains([',', '"', '\n', '\r']) {
-        format!("\"{}\"", field.replace('"', "\"\""))
-    } else {
-        field.to_owned()
-    }
 }
 
 /// The shortest digits from which the number is read again.

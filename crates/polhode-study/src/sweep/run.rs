@@ -4,20 +4,19 @@ use super::error::SweepError;
 use super::measure::Measured;
 use super::plan::Sweep;
 use super::scene::{IsStopped, SweepScene};
+use super::uncertain::reason_of;
+use crate::threads::in_order;
 use polhode::{BodySample, ContactSample, Energy, Event, Flow, JointSample, Observer, RunReport, Simulation};
 use polhode_scene::names;
-use std::collections::BTreeMap;
 use std::num::NonZeroUsize;
 use std::ops::Range;
-use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
-use std::sync::mpsc;
 
 /// A run that is finished.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Row {
     /// Its number.
     pub run: u64,
-    /// Its values, as a scene has them.
+    /// In a sweep of what is uncertain what it is for; its values, as a scene has them.
     pub values: Vec<String>,
     /// How it ended.
     pub outcome: String,
@@ -42,60 +41,25 @@ impl Sweep {
         workers: NonZeroUsize,
         mut take: impl FnMut(Row) -> Result<(), SweepError>,
     ) -> Result<(), SweepError> {
-        let next = AtomicU64::new(runs.start);
-        let is_over = AtomicBool::new(false);
-        let (send, receive) = mpsc::channel();
-        let work = |send: mpsc::Sender<Row>| {
-            while !(scene.is_stopped)() && !is_over.load(Ordering::Relaxed) {
-                let run = next.fetch_add(1, Ordering::Relaxed);
-                if run >= runs.end {
-                    return;
-                }
-                let Some(row) = self.row(scene, run) else { return };
-                if send.send(row).is_err() {
-                    return;
-                }
-            }
-        };
-        std::thread::scope(|scope| {
-            let mut begun = 0;
-            for _ in 0..workers.get() {
-                let send = send.clone();
-                begun += usize::from(std::thread::Builder::new().spawn_scoped(scope, || work(send)).is_ok());
-            }
-            if begun == 0 {
-                // The system gives no thread: this one computes first, and takes then.
-                work(send.clone());
-            }
-            drop(send);
-            let (mut awaited, mut kept) = (runs.start, BTreeMap::new());
-            for row in receive {
-                kept.insert(row.run, row);
-                while let Some(row) = kept.remove(&awaited) {
-                    if let Err(error) = take(row) {
-                        is_over.store(true, Ordering::Relaxed);
-                        return Err(error);
-                    }
-                    awaited += 1;
-                }
-            }
-            if awaited < runs.end { Err(SweepError::Stopped) } else { Ok(()) }
-        })
+        let mut left = runs.end - runs.start;
+        let made = |run| if (scene.is_stopped)() { None } else { self.row(scene, run) };
+        in_order(runs, workers, made, |row| {
+            left -= 1;
+            take(row)
+        })?;
+        if left > 0 { Err(SweepError::Stopped) } else { Ok(()) }
     }
 
     /// A run; none where it was stopped.
     fn row(&self, scene: &SweepScene<'_>, run: u64) -> Option<Row> {
         let nothing = vec![f64::NAN; self.measures.len()];
         let failed = |reason: &str| {
-            let (values, reason) = (self.values(run), on_one_line(reason));
+            let (values, reason) = (self.leading_cells(run), on_one_line(reason));
             Row { run, values, outcome: "failed".to_owned(), error: f64::NAN, measured: nothing.clone(), reason }
         };
         let loaded = match scene.loaded(&self.changes(run)) {
             Ok(loaded) => loaded,
-            Err(error) => {
-                let refused = error.refused().map(|refused| refused.cause.to_string());
-                return Some(failed(&refused.unwrap_or_else(|| error.to_string())));
-            }
+            Err(error) => return Some(failed(&reason_of(&error))),
         };
         let measured = match self.measured_of(&loaded) {
             Ok(measured) => measured,
@@ -120,7 +84,7 @@ impl Sweep {
         };
         Row {
             run,
-            values: self.values(run),
+            values: self.leading_cells(run),
             outcome: names::outcome(report.outcome).to_owned(),
             error: report.error.relative().unwrap_or(f64::NAN),
             measured: measured.iter().map(Measured::value).collect(),

@@ -14,6 +14,19 @@ pub struct Varied {
     pub key: String,
     /// Its values.
     pub values: Values,
+    /// What a value does to the scene.
+    pub acts: Acts,
+}
+
+/// What a value that is varied does to the scene.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Acts {
+    /// The key has it.
+    Sets,
+    /// Bodies, by their numbers among those whose poses are uncertain, are moved by it along an axis of the world, m.
+    Shifts(Vec<usize>, usize),
+    /// They are turned by it about an axis of the world, rad.
+    Turns(Vec<usize>, usize),
 }
 
 /// The values of a key.
@@ -37,7 +50,7 @@ impl Varied {
         if let [one] = &given[..]
             && let Some(drawn) = drawn(one)?
         {
-            return Ok(Self { key, values: Values::Drawn(drawn) });
+            return Ok(Self { key, values: Values::Drawn(drawn), acts: Acts::Sets });
         }
         let mut values = Vec::new();
         for own in &given {
@@ -49,7 +62,7 @@ impl Varied {
                 None => values.push(own.clone()),
             }
         }
-        Ok(Self { key, values: Values::Listed(values) })
+        Ok(Self { key, values: Values::Listed(values), acts: Acts::Sets })
     }
 }
 

@@ -40,6 +40,8 @@ const LARGEST_ERROR: f64 = 10.0;
 const MARKS: usize = 12;
 /// Radius of the ring around the cheapest that reaches the target, pixels.
 const RING: f64 = 9.0;
+/// What the ends of thin lines at points are.
+const TOLD: &str = "error that the run told";
 /// Pieces that a curve is cut into so that labels keep off it, pixels.
 const PIECE: f64 = 5.0;
 
@@ -63,6 +65,8 @@ pub struct CostPoint {
     pub spread: [f64; 2],
     /// Its error.
     pub error: f64,
+    /// The error that the run told of itself; none where it told none.
+    pub estimated: Option<f64>,
     /// Whether none is better in both.
     pub on_front: bool,
     /// Whether it reaches the target.
@@ -137,6 +141,8 @@ struct Drawn<'a> {
     spots: Vec<(Spot, CostPoint)>,
     /// From where to where half of the measurements of a point are.
     spreads: Vec<[Spot; 2]>,
+    /// The height of the error that the run of a point told of itself.
+    estimates: Vec<Option<f64>>,
 }
 
 impl Drawn<'_> {
@@ -179,11 +185,16 @@ impl CostChart {
             .map(|(curve, style)| {
                 let points = || curve.points.iter().filter(|point| is_drawn(point));
                 let spread = |point: &CostPoint| point.spread.map(|cost| frame.spot(cost, point.error));
+                let estimate = |point: &CostPoint| {
+                    let estimated = point.estimated.filter(|estimated| *estimated > 0.0);
+                    estimated.map(|estimated| frame.height(estimated).clamp(TOP, frame.foot))
+                };
                 Drawn {
                     curve,
                     style,
                     spots: points().map(|point| (frame.spot(point.cost, point.error), *point)).collect(),
                     spreads: points().map(spread).collect(),
+                    estimates: points().map(estimate).collect(),
                 }
             })
             .collect();
@@ -242,6 +253,11 @@ impl CostChart {
         svg.line(&[[x, y], [x + 22.0, y]], Stroke::new(Ink::Band, 8.0));
         svg.text([x + 28.0, y], "Pareto front", Type::new(LABEL, Ink::Text));
         x += 28.0 + text_width("Pareto front", LABEL) + 8.0;
+        if drawn.iter().flat_map(|one| &one.estimates).any(Option::is_some) {
+            draw_estimate(svg, [x + 6.0, y + 6.0], y - 6.0, Ink::Text);
+            svg.text([x + 16.0, y], TOLD, Type::new(LABEL, Ink::Text));
+            x += 16.0 + text_width(TOLD, LABEL) + 8.0;
+        }
         let rank = |wanted: Rank| drawn.iter().flat_map(|one| &one.spots).any(|(_, point)| point.rank == wanted);
         for (wanted, name) in [(Rank::Cheapest, "cheapest for target"), (Rank::Tie, "tie within noise")] {
             if rank(wanted) {
@@ -413,6 +429,11 @@ fn draw_curve(svg: &mut Svg, frame: &Frame, one: &Drawn<'_>) {
     if line.len() > 1 {
         svg.line(&line, Stroke::new(ink, 1.3).opacity(0.75));
     }
+    for (spot, estimate) in line.iter().zip(&one.estimates) {
+        if let Some(height) = estimate {
+            draw_estimate(svg, *spot, *height, ink);
+        }
+    }
     for (spot, spread) in line.iter().zip(&one.spreads) {
         // Where the noise is within the marker there is nothing to see.
         if spread[1][0] - spread[0][0] > 2.0 * MARKER {
@@ -421,6 +442,12 @@ fn draw_curve(svg: &mut Svg, frame: &Frame, one: &Drawn<'_>) {
         }
         one.style.marker.draw(svg, *spot, MARKER, ink);
     }
+}
+
+/// A thin line from a point to the height of the error that its run told of itself.
+fn draw_estimate(svg: &mut Svg, [x, y]: Spot, height: f64, ink: Ink) {
+    svg.line(&[[x, y], [x, height]], Stroke::new(ink, 0.8).opacity(0.45));
+    svg.line(&[[x - MARKER, height], [x + MARKER, height]], Stroke::new(ink, 1.2).opacity(0.6));
 }
 
 /// Writes a text beside a point, with a line to it where it is not next to it.

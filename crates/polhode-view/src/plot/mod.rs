@@ -16,6 +16,7 @@
 //! | [`run_plot`], [`run_plots`], `joint_traces` | what is plotted of a run; its observer; curves of its joints |
 //! | [`curves`] | single quantities over time or against each other |
 //! | [`compare_plots`] | two trajectories |
+//! | [`mechanism_plot`] | the motion that begins in a structure |
 //! | [`cost_chart`], [`cost_panels`], [`dot_chart`] | error against cost of a scene; of a few side by side; of many |
 
 pub mod compare_plots;
@@ -26,6 +27,7 @@ pub mod dot_chart;
 pub mod ink;
 pub mod label_rows;
 pub mod marker;
+pub mod mechanism_plot;
 pub mod method_style;
 pub mod run_plot;
 pub mod run_plots;
@@ -49,6 +51,7 @@ pub use dot_chart::DotChart;
 pub use ink::Ink;
 pub use label_rows::label_rows;
 pub use marker::Marker;
+pub use mechanism_plot::{HingeMark, MechanismPlot};
 pub use run_plot::RunPlot;
 pub use run_plots::RunPlots;
 pub use svg::{Stroke, Svg};

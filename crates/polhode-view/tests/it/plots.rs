@@ -191,6 +191,7 @@ fn cost_chart(ends: &[(f64, f64)], target: f64) -> CostChart {
                 cost,
                 spread: [0.9 * cost, 1.1 * cost],
                 error: libm::exp10(error + 2.0 * shift),
+                estimated: Some(3.0 * libm::exp10(error + 2.0 * shift)),
                 on_front: number == 0,
                 rank: if number == 0 && shift == 0.0 { Rank::Cheapest } else { Rank::Plain },
             }

@@ -84,6 +84,8 @@ pub(crate) struct Accounts {
     without_errors: VecDeque<WithoutErrors>,
     /// Stretches of crowded events.
     pub(crate) crowded: Stretches,
+    /// Estimated local errors of all steps under error control, in units of the tolerance of a step.
+    pub(crate) step_errors: f64,
 }
 
 impl Accounts {
@@ -104,7 +106,15 @@ impl Accounts {
             last_sample_s: None,
             without_errors: VecDeque::new(),
             crowded: Stretches::default(),
+            step_errors: 0.0,
         }
+    }
+
+    /// Notes the estimated error of a step under error control, in units of its tolerance.
+    pub(crate) fn note_step_error(&mut self, error: f64) {
+        let worst = &mut self.certificate.max_step_error;
+        *worst = Some(worst.unwrap_or(0.0).max(error));
+        self.step_errors += error;
     }
 
     /// Gives a warning at time `t` (s); one that has been given before is counted.

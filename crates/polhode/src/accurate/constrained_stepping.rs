@@ -266,10 +266,9 @@ impl Motions {
     ) -> ConstrainedStep {
         let MadeStep { method: step, dense, violation } = made;
         core.note_friction(t, violation);
-        let worst = &mut core.accounts.certificate.max_step_error;
         // A method without error control has no error to compare.
         if step.estimates_error() {
-            *worst = Some(worst.unwrap_or(0.0).max(error));
+            core.accounts.note_step_error(error);
         }
         let rigid = |body: usize| core.model.bodies[body].rigid.as_ref();
         let motion = |(index, &body): (usize, &usize)| dense.body_motion(index * WIDTH, rigid(body)?);

@@ -184,8 +184,7 @@ impl FreeStep {
             _ => h,
         };
         if let Some(error) = self.integrator.step_error() {
-            let worst = &mut core.accounts.certificate.max_step_error;
-            *worst = Some(worst.unwrap_or(0.0).max(error));
+            core.accounts.note_step_error(error);
         }
         self.motions = self.polynomials(core)?;
         Ok(())

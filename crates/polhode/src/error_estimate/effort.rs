@@ -8,7 +8,7 @@ impl ErrorEstimation {
         match self {
             Self::Off => 0.0,
             Self::Quick => 0.24,
-            Self::Full => 2.7,
+            Self::Full => 2.5,
         }
     }
 

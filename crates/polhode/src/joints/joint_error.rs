@@ -3,6 +3,7 @@
 
 use crate::constraint::ConstraintId;
 use crate::constraint::row::{Action, BilateralRow, RowKind};
+use crate::joints::bilateral::Bilateral;
 use crate::joints::held;
 use crate::model::Model;
 use polhode_dynamics::BodyState;
@@ -22,19 +23,25 @@ pub(crate) struct JointError {
 pub(crate) fn joint_errors<'a>(model: &'a Model, states: &'a [BodyState]) -> impl Iterator<Item = JointError> + 'a {
     let all = held::bilaterals(model, states, &model.movable);
     all.filter(|own| !matches!(own.id, ConstraintId::Pivot { .. })).map(|own| {
-        let (mut apart_m, mut turned_rad) = (0.0_f64, 0.0_f64);
-        for BilateralRow { kind, gap, .. } in &own.rows {
-            match kind {
-                RowKind::Along(_) | RowKind::Helix { .. } | RowKind::Tied { first: Action::Force { .. }, .. } => {
-                    apart_m = libm::hypot(apart_m, *gap);
-                }
-                RowKind::About(axis)
-                | RowKind::Turning { about: axis, .. }
-                | RowKind::Tied { first: Action::Moment(axis), .. } => {
-                    turned_rad = libm::hypot(turned_rad, gap / axis.length());
-                }
-            }
-        }
+        let (apart_m, turned_rad) = error_of(&own);
         JointError { pair: own.id.bodies(), apart_m, turned_rad }
     })
+}
+
+/// How far the bodies of a constraint are from what it keeps, m and rad.
+pub(crate) fn error_of(own: &Bilateral) -> (f64, f64) {
+    let (mut apart_m, mut turned_rad) = (0.0_f64, 0.0_f64);
+    for BilateralRow { kind, gap, .. } in &own.rows {
+        match kind {
+            RowKind::Along(_) | RowKind::Helix { .. } | RowKind::Tied { first: Action::Force { .. }, .. } => {
+                apart_m = libm::hypot(apart_m, *gap);
+            }
+            RowKind::About(axis)
+            | RowKind::Turning { about: axis, .. }
+            | RowKind::Tied { first: Action::Moment(axis), .. } => {
+                turned_rad = libm::hypot(turned_rad, gap / axis.length());
+            }
+        }
+    }
+    (apart_m, turned_rad)
 }

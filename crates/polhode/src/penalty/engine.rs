@@ -166,8 +166,7 @@ impl PenaltyEngine {
             }
             (0..run.steps).for_each(|_| core.accounts.count_step());
             if let Some(error) = run.largest_error {
-                let worst = &mut core.accounts.certificate.max_step_error;
-                *worst = Some(worst.unwrap_or(0.0).max(error));
+                core.accounts.note_step_error(error);
             }
             self.islands.push(run.group.bodies);
         }

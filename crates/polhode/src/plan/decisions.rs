@@ -359,7 +359,9 @@ fn contact_decisions(model: &Model, effects: Effects, findings: &Findings) -> Ve
             match (pairs.count, limits) {
                 (0, 0) => "all collision detection",
                 (0, _) => "all collision detection of shapes",
-                _ => "nothing: pairs are searched at every step",
+                _ => {
+                    "nothing: bodies near each other are searched for contacts, at every step of those that move"
+                }
             },
         ),
         decision(

@@ -102,9 +102,11 @@ impl Simulation {
         let is_fixed = self.core.settings.names_fixed_steps();
         // The same tier with a smaller tolerance costs more than the run.
         let is_used = move |kind: &ReferenceKind| *kind != ReferenceKind::OtherMethod || !repeats || is_fixed;
-        let first = tier.facts().compared_first;
-        let others = ReferenceKind::ALL.into_iter().filter(move |kind| *kind != first);
-        std::iter::once(first).chain(others).filter(is_used)
+        // A disturbed run costs what the run does, which a full estimate can pay for beside others.
+        let second = (effort == ErrorEstimation::Full).then_some(ReferenceKind::Disturbed);
+        let before = [Some(tier.facts().compared_first), second];
+        let others = ReferenceKind::ALL.into_iter().filter(move |kind| !before.contains(&Some(*kind)));
+        before.into_iter().flatten().chain(others).filter(is_used)
     }
 
     /// When the run is compared next, s.
@@ -123,7 +125,7 @@ impl Simulation {
     /// Begins a reference of a kind there. A piece goes on from the errors that are known then.
     pub(super) fn begin_reference(&mut self, kind: ReferenceKind, from: &StartOfRun, part: Part) {
         let is_shared = |own: &&Reference<Self>| kind == ReferenceKind::Disturbed && own.begun_s == from.t_s;
-        let disturbs_itself = self.disturbs_itself();
+        let disturbs_itself = self.disturbs_itself(self.references.effort);
         let shared = self.references.by_steps().filter(is_shared).filter(|_| !disturbs_itself);
         // A disturbed run is compared with the one by other steps, and has its steps.
         let number = shared.map_or(self.references.course.of(kind).begun, |own| own.number);
@@ -176,16 +178,21 @@ impl Simulation {
         let t = self.core.t;
         let mut running = std::mem::take(&mut self.references.running);
         let (now, first) = (self.allowed(), self.core.settings.tier.facts().compared_first);
+        let is_full = self.references.effort == ErrorEstimation::Full;
+        // A disturbed run costs what the run does, which a full estimate can pay for.
+        let is_kept = |kind| kind == first || (is_full && kind == ReferenceKind::Disturbed);
         for place in (0..running.len()).rev() {
             let kind = running[place].kind;
             let (before, from_s) = (running[place].work(), running[place].run.core.t);
+            let others = if is_kept(kind) { 0.0 } else { of_running(&running) - running[place].work() as f64 };
             // What others have cost in vain ends none: it lets none begin.
-            let reached = running[place].bring_to(t, now.ahead);
+            let reached = running[place].bring_to(t, now.ahead - others);
             let way_s = running[place].run.core.t - from_s;
             if way_s > 0.0 {
                 self.references.course.of_mut(kind).per_second = (running[place].work() - before) as f64 / way_s;
             }
-            let of_rest = self.references.course.of(kind).per_second * (self.scene.duration_s() - t);
+            let rest_s = self.scene.duration_s() - t;
+            let of_rest: f64 = running.iter().map(|own| self.references.course.of(own.kind).per_second * rest_s).sum();
             let reference = &mut running[place];
             reference.comparisons += 1;
             // Longer fixed steps cost a known part of the run: they go on while they can.
@@ -193,8 +200,8 @@ impl Simulation {
             let is_foreseen =
                 may_cost_anything && reference.is_whole && reference.comparisons == COMPARISONS_TO_FORESEE;
             match reached {
-                // A whole one that cannot be paid for to the end leaves what is left to others.
-                Ok(true) if is_foreseen && of_rest > now.of_rest + now.at_once - reference.work() as f64 => {
+                // A whole one that cannot be paid for to the end beside the others leaves what is left to them.
+                Ok(true) if is_foreseen && of_rest > now.of_rest + now.at_once - of_running(&running) => {
                     self.end_reference(&mut running, place, Ending::TooCostly);
                 }
                 Ok(true) => {}
@@ -204,7 +211,7 @@ impl Simulation {
         }
         while of_running(&running) > now.ahead {
             let rate = |own: &Reference<Self>| own.work() as f64 / (t - own.begun_s);
-            let others = running.iter().enumerate().filter(|(_, own)| own.kind != first);
+            let others = running.iter().enumerate().filter(|(_, own)| !is_kept(own.kind));
             let Some((place, _)) = others.max_by(|a, b| rate(a.1).total_cmp(&rate(b.1))) else { break };
             self.end_reference(&mut running, place, Ending::TooCostly);
         }
@@ -253,7 +260,7 @@ impl Simulation {
     /// Ends a disturbed run whose partner, the one by other steps, has ended.
     fn end_without_partner(&mut self, running: &mut Vec<Reference<Self>>) {
         let has_partner = running.iter().any(|own| own.kind == ReferenceKind::OtherSteps && own.is_whole);
-        if has_partner || self.disturbs_itself() {
+        if has_partner || self.disturbs_itself(self.references.effort) {
             return;
         }
         let is_alone = |own: &Reference<Self>| own.kind == ReferenceKind::Disturbed && own.partner.is_none();
@@ -307,7 +314,8 @@ impl Simulation {
         for kind in self.kinds(self.references.effort) {
             let allowed = self.allowed();
             let interval_s = self.next_comparison() - t;
-            let (disturbs_itself, begins_with_method) = (self.disturbs_itself(), self.begins_with_method());
+            let (disturbs_itself, begins_with_method) =
+                (self.disturbs_itself(self.references.effort), self.begins_with_method());
             let of_beginning = self.beginning(kind);
             let references = &mut self.references;
             let known = references.course.of(kind);
@@ -319,6 +327,7 @@ impl Simulation {
                     let is_best = |own: &Reference<Self>| own.kind == ReferenceKind::OtherMethod && own.is_whole;
                     references.effort == ErrorEstimation::Quick && references.running.iter().any(is_best)
                 }
+                ReferenceKind::Disturbed if references.effort == ErrorEstimation::Full => false,
                 // How an error grows is of no use where none is known, and what it costs is known by other steps.
                 ReferenceKind::Disturbed => match references.by_steps() {
                     Some(steps) => steps.comparisons < COMPARISONS_TO_FORESEE,
@@ -331,9 +340,11 @@ impl Simulation {
             let is_disturbed = kind == ReferenceKind::Disturbed;
             let runs = if is_disturbed && !disturbs_itself && references.by_steps().is_none() { 2.0 } else { 1.0 };
             // A disturbed run costs what the run or one by other steps does.
+            let own_rate = self.core.work as f64 / (t - references.course.start_s);
             let alike = match is_disturbed {
-                true if disturbs_itself => self.core.work as f64 / (t - references.course.start_s),
-                true => runs * references.course.of(ReferenceKind::OtherSteps).per_second,
+                true if t == references.course.start_s => 0.0,
+                true if disturbs_itself => own_rate,
+                true => runs * own_rate / references.effort.step_factor(known.begun),
                 false => 0.0,
             };
             let per_second = known.per_second.max(alike);

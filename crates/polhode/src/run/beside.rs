@@ -59,7 +59,7 @@ impl Simulation {
         let factor = effort.step_factor(begun);
         match kind {
             ReferenceKind::OtherMethod => self.other_method(effort),
-            ReferenceKind::Disturbed if self.disturbs_itself() => ReferenceMethod {
+            ReferenceKind::Disturbed if self.disturbs_itself(effort) => ReferenceMethod {
                 settings: self.core.settings.as_resolved(),
                 method: self.scene.method().clone(),
                 words: "the method of the run".to_owned(),
@@ -71,9 +71,10 @@ impl Simulation {
     }
 
     /// Whether a disturbed run is one by the method of the run, and is compared with the run: what long steps at a
-    /// large tolerance make of rounding depends on the steps that error control happens to take.
-    pub(super) fn disturbs_itself(&self) -> bool {
-        self.core.settings.controls_error()
+    /// large tolerance make of rounding depends on the steps that error control happens to take, and one by longer
+    /// fixed steps may have left the motion of the run. A quick estimate cannot pay for a second run by fixed steps.
+    pub(super) fn disturbs_itself(&self, effort: ErrorEstimation) -> bool {
+        effort == ErrorEstimation::Full || self.core.settings.controls_error()
     }
 
     /// Another tier, with steps as long as they may be in a quick estimate; in one that is compared with itself, steps

@@ -49,7 +49,7 @@ impl Simulation {
         let Some(reference) = running.iter().find(|own| own.kind == ReferenceKind::Disturbed) else { return none };
         let others = samples_of(&reference.run);
         let partner = reference.partner.as_deref().or(self.references.by_steps().map(|own| &*own.run));
-        let distances = match partner.filter(|_| !self.disturbs_itself()) {
+        let distances = match partner.filter(|_| !self.disturbs_itself(self.references.effort)) {
             Some(partner) => distances(&samples_of(partner), &others),
             None => distances(samples, &others),
         };
@@ -113,9 +113,13 @@ impl Simulation {
         (samples, sizes): (&[BodySample], &[f64]),
     ) -> Vec<BodyError> {
         let (t, accounts, starts) = (self.core.t, &self.core.accounts, &self.references.course.start);
-        // Local errors of steps under error control may add up to a part of their tolerance.
+        // The errors of steps under error control add up to a part of a tolerance where they cancel, as a run beside this
+        // one shows; where none accompanies all of it, they are known by themselves alone, and may not.
+        let is_accompanied =
+            self.references.running.iter().any(|own| own.is_whole && own.kind != ReferenceKind::Disturbed);
+        let parts = if is_accompanied { PART_OF_TOLERANCE } else { accounts.step_errors.max(PART_OF_TOLERANCE) };
         let controlled = accounts.certificate.max_step_error.map_or(0.0, |_| self.core.settings.tolerance);
-        let local = accounts.crowded.errors().max(PART_OF_TOLERANCE * controlled);
+        let local = accounts.crowded.errors().max(parts * controlled);
         let of_body = |(body, error): (usize, BodyError)| {
             let (sample, size) = (&samples[body], sizes[body]);
             let start = starts.get(body).map_or(sample.pose.translation, |at| DVec3::from_array(*at));

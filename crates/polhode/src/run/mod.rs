@@ -8,6 +8,7 @@
 //! | `actions` | what a program does to bodies and joints |
 //! | `steering` | kinematic bodies that a program steers |
 //! | `stability` | [`Stability`](crate::Stability): how far bodies at rest are from moving |
+//! | `evaluation` | [`Evaluation`](crate::Evaluation): a scene in states that somebody else gives |
 //! | `accompany` | runs beside this one are begun, followed and compared with it, to estimate its error |
 //! | `distances` | how far it is from them, and what that says of its errors |
 //! | `pieces` | pieces of a run that another method computes again where bodies touch |
@@ -21,6 +22,7 @@ mod actions;
 mod beside;
 mod distances;
 mod engines;
+pub(crate) mod evaluation;
 mod pieces;
 mod restoring;
 pub(crate) mod simulation;

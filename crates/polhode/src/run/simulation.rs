@@ -21,7 +21,7 @@ use crate::report::joint_sample::{CoordinateSample, JointSample};
 use crate::report::momentum_ledger::Momentum;
 use crate::report::observer::{BodySample, Flow, Observer, Unobserved};
 use crate::report::run_report::{Energy, Outcome, PlanChange, RunReport};
-use crate::run::stability::{self, Stability};
+use crate::run::stability::{self, FrictionMargin, Margins, Stability};
 use crate::run::{engines, singular_force, start_overlap};
 use crate::scene::effects::Effects;
 use crate::scene::{Coordinate, Scene};
@@ -500,7 +500,19 @@ impl Simulation {
     /// When rows cannot be made of the contacts.
     pub fn stability(&self) -> Result<Stability, SimulationError> {
         let states = self.tier.states(&self.core);
-        stability::of_contacts(&self.core, &states, &self.tier.contacts(&self.core, self.core.t, &states))
+        let contacts = self.tier.contacts(&self.core, self.core.t, &states);
+        stability::of_contacts(&self.core, &states, &contacts, Margins::All)
+    }
+
+    /// How far friction may fall, as [`Simulation::stability`] has it, without the margins of pushes: whether the
+    /// bodies stand takes a fraction of the time.
+    ///
+    /// # Errors
+    /// When rows cannot be made of the contacts.
+    pub fn friction_margin(&self) -> Result<FrictionMargin, SimulationError> {
+        let states = self.tier.states(&self.core);
+        let contacts = self.tier.contacts(&self.core, self.core.t, &states);
+        Ok(stability::of_contacts(&self.core, &states, &contacts, Margins::OfFriction)?.friction)
     }
 
     /// Geometric queries about the bodies at the present: nearest body, rays, overlaps, distances. [`BodyQueries`] has

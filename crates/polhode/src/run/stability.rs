@@ -32,7 +32,7 @@ use crate::tier::executor::{Executor, Task};
 use polhode_dynamics::BodyState;
 use polhode_response::ResponseError;
 use polhode_response::friction::{Limit, MOST_FACTOR, Structure};
-use polhode_spatial::DVec3;
+use polhode_spatial::{DVec3, Velocity};
 use std::f64::consts::FRAC_1_SQRT_2;
 
 /// A body belongs to a motion that begins when it moves at least this fast against the fastest one (no unit, 1e-4 to
@@ -80,6 +80,9 @@ pub struct MovingBody {
     pub speed: f64,
     /// The direction in which its centre of mass moves (unit vector, world); none where that stays.
     pub direction: Option<DVec3>,
+    /// The velocity of its centre of mass and its angular velocity, world, up to a common factor of all bodies: the
+    /// speed of the fastest is 1 m/s.
+    pub velocity: Velocity,
 }
 
 /// How far friction may fall.
@@ -89,7 +92,8 @@ pub struct FrictionMargin {
     /// The part of the coefficients of friction that is needed (no unit): 0 where none is, above 1 where there is not
     /// enough. None where friction alone does not hold the bodies.
     pub needed: Option<f64>,
-    /// What begins to move below that, the fastest first; empty where none is needed.
+    /// What begins to move below that, or now where friction does not hold the bodies, the fastest first; empty where
+    /// none is needed.
     pub begins: Vec<MovingBody>,
 }
 
@@ -135,6 +139,15 @@ impl Stability {
     }
 }
 
+/// Which margins are sought.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Margins {
+    /// Of friction, and of pushes.
+    All,
+    /// Of friction: whether the bodies stand.
+    OfFriction,
+}
+
 /// The bodies at rest among those with these contacts.
 ///
 /// # Errors
@@ -143,6 +156,7 @@ pub(crate) fn of_contacts(
     core: &Core,
     states: &[BodyState],
     contacts: &[ContactView],
+    margins: Margins,
 ) -> Result<Stability, SimulationError> {
     let refused = |source: ResponseError| SimulationError::of_response(core.t, source);
     let of_view = |view| Some((view, touch(core, states, view)?));
@@ -153,10 +167,12 @@ pub(crate) fn of_contacts(
         bodies: 0,
         contacts: 0,
         friction: FrictionMargin { needed: Some(0.0), begins: Vec::new() },
-        pushes: directions(core)
-            .map(|direction| PushMargin { direction, of_weight: Some(f64::INFINITY), begins: Vec::new() })
-            .collect(),
+        pushes: Vec::new(),
     };
+    if margins == Margins::All {
+        let any = |direction| PushMargin { direction, of_weight: Some(f64::INFINITY), begins: Vec::new() };
+        stability.pushes.extend(directions(core).map(any));
+    }
     for group in coupled_groups(&core.model, ids, &at_rest) {
         let members: Vec<Touch> = group.contacts.iter().map(|&index| touches[index]).collect();
         let is_still = group.bodies.iter().all(|body| at_rest.binary_search(body).is_ok());
@@ -270,7 +286,9 @@ impl Group<'_> {
         };
         let stands = needed.is_some_and(|needed| needed <= 1.0);
         if is_above(needed, stability.friction.needed) {
-            let begins = friction.map_or_else(Vec::new, |limit| self.begins(&assembly, &limit));
+            // What no friction holds has no limit.
+            let begins = friction.map_or_else(|| structure.collapse(), |limit| Ok(Some(limit)))?;
+            let begins = begins.map_or_else(Vec::new, |limit| self.begins(&assembly, &limit));
             stability.friction = FrictionMargin { needed, begins };
         }
         for (push, limit) in stability.pushes.iter_mut().zip(loads) {
@@ -312,13 +330,15 @@ impl Group<'_> {
                     if turning > MOVES_RELATIVE * linear.length() { Beginning::Tips } else { Beginning::Slides };
                 let speed = linear.length().max(turning);
                 let direction = linear.try_normalize().filter(|_| linear.length() > MOVES_RELATIVE * speed);
-                MovingBody { body: BodyId::new(body), beginning, speed, direction }
+                let velocity = Velocity::new(linear, angular);
+                MovingBody { body: BodyId::new(body), beginning, speed, direction, velocity }
             })
             .collect();
         let fastest = moving.iter().fold(0.0, |most: f64, body| most.max(body.speed));
         moving.retain(|body| body.speed > MOVES_RELATIVE * fastest);
         for body in &mut moving {
             body.speed /= fastest;
+            body.velocity = Velocity::new(body.velocity.linear / fastest, body.velocity.angular / fastest);
         }
         moving.sort_by(|a, b| b.speed.total_cmp(&a.speed));
         moving

@@ -7,7 +7,7 @@
 //! rate `s'(0)`.
 
 use super::motion::{Interpolation, MotionError, MotionTable, PrescribedMotion};
-use polhode_spatial::{DVec3, Handedness, Isometry, Rotation, Velocity};
+use polhode_spatial::{DVec3, Handedness, Isometry, Motion as _, Pose, Rotation, Velocity};
 
 /// A coordinate of a joint as a function of time.
 ///
@@ -24,6 +24,7 @@ use polhode_spatial::{DVec3, Handedness, Isometry, Rotation, Velocity};
 /// let door = scene.add_body(door);
 /// let hinge = scene.add_joint(Joint::hinge(door, DVec3::ZERO, UnitVector::Z));
 /// let swing = CoordinateMotion::sine(0.5, 0.5, 0.0)?;
+/// assert_eq!(swing.rate_at_start(), rate);
 /// let scene = scene.coordinate_motion(hinge, Coordinate::Angle, swing).build()?;
 /// let mut simulation = Simulation::new(&scene)?;
 /// simulation.advance_to(0.5)?;
@@ -60,6 +61,11 @@ impl CoordinateMotion {
     pub fn table(times_s: Vec<f64>, values: &[f64], interpolation: Interpolation) -> Result<Self, MotionError> {
         let positions_m = Some(values.iter().map(|value| DVec3::X * *value).collect());
         PrescribedMotion::table(&MotionTable { times_s, positions_m, orientations: None, interpolation }).map(Self)
+    }
+
+    /// Its rate at the start, `s'(0)`, rad/s or m/s: what the velocities of the bodies must have then.
+    pub fn rate_at_start(&self) -> f64 {
+        self.0.from_pose(&self.0.initial_pose(&Pose::IDENTITY)).velocity(0.0).linear.x
     }
 
     /// The same of the coordinate with the opposite sign.

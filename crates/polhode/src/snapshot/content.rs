@@ -144,6 +144,7 @@ pub(crate) struct Accounts {
     pub(crate) choices: Vec<Warning>,
     pub(crate) measures: Measures,
     pub(crate) crowded: Vec<CrowdedStretch>,
+    pub(crate) step_errors: f64,
     pub(crate) events: Vec<Event>,
     pub(crate) event_count: u64,
     pub(crate) steps: u64,

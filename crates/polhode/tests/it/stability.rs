@@ -207,3 +207,19 @@ fn margins_of_a_pyramid() {
     assert!((push(&found, DVec3::Y) - 0.2 / height).abs() < MARGIN, "{}", push(&found, DVec3::Y));
     assert!((push(&found, DVec3::X) - 0.5).abs() < MARGIN);
 }
+
+/// A box beyond the edge of another one turns about that edge, whatever the friction: its points on the edge are at
+/// rest, and the others go down.
+#[test]
+fn what_nothing_holds_turns_about_an_edge() {
+    let size = DVec3::new(1.0, 1.0, 0.5);
+    let low = block("low", size, 5.0, DVec3::Z * 0.25).material(material("wood", 0.8));
+    let high = block("high", size, 5.0, DVec3::new(0.6, 0.0, 0.75)).material(material("wood", 0.8));
+    let found = stability(Scene::builder("edge").body(ground(0.8)).body(low).body(high));
+    assert_eq!(found.friction.needed, None);
+    let begins = found.friction.begins.first().unwrap();
+    assert_eq!((begins.body.index(), begins.beginning), (2, Beginning::Tips));
+    let at_edge = begins.velocity.at(DVec3::new(0.5, 0.0, 0.5) - DVec3::new(0.6, 0.0, 0.75));
+    assert!(at_edge.dot(DVec3::Z).abs() < 1e-5, "{at_edge}");
+    assert!(begins.velocity.linear.z < -0.1 && begins.velocity.angular.y > 0.1, "{:?}", begins.velocity);
+}

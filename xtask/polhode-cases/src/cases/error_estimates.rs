@@ -1,8 +1,8 @@
 //! Errors that runs tell beside their true errors, over scenes whose motion is known: the shares of `cargo xtask
-//! calibrate`.
+//! calibrate`; and the horizons that runs tell beside the true ones, of chaotic scenes.
 
 use super::{Amount, CaseResult, Context};
-use crate::calibration::{self, Finding, GOALS, Judged, Known, Shares, judge_all};
+use crate::calibration::{self, Finding, GOALS, Horizon, Judged, Known, Shares, WITHIN, judge_all};
 use crate::row::Row;
 use polhode::ErrorEstimation;
 
@@ -10,6 +10,9 @@ const CASE: &str = "error estimates";
 
 /// The plain run takes one scene in so many.
 const PLAIN: usize = 10;
+
+/// The plain run finds the horizons of the scenes whose names begin so.
+const PLAIN_HORIZONS: [&str; 2] = ["billiard", "dice"];
 
 /// What the shares are of.
 const WHAT: [&str; 3] = ["at least a tenth of the true error", "at least a hundredth", "at most 100 times it"];
@@ -35,5 +38,15 @@ pub(super) fn rows(context: &Context) -> CaseResult {
     let named: Vec<&str> = judged.iter().filter(failed).map(|one| one.name.as_str()).collect();
     let named = if named.is_empty() { "none".to_owned() } else { named.join(", ") };
     rows.push(Row::exact(CASE, &format!("of {} scenes, those that fail", meant.len()), "none", named));
+    let begin: &[&str] = if context.amount == Amount::Full { &[""] } else { &PLAIN_HORIZONS };
+    let found = |begin: &&str| calibration::horizons(&context.root, begin, ErrorEstimation::Full, |_| {});
+    rows.extend(begin.iter().flat_map(found).map(|horizon| of_horizon(&horizon)));
     Ok(rows)
+}
+
+/// How many times the true horizon is the told one, or the other way about; infinite where it is not told.
+fn of_horizon(horizon: &Horizon) -> Row {
+    let of = |(told, truth): (f64, f64)| (told / truth).max(truth / told);
+    let factor = horizon.told_s.zip(horizon.true_s).map_or(f64::INFINITY, of);
+    Row::at_most(CASE, &format!("horizon of {}: factor", horizon.name), WITHIN, factor)
 }

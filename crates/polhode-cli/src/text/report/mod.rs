@@ -47,8 +47,10 @@ pub(crate) enum Extent {
 pub(crate) fn run(loaded: &LoadedScene, ended: Ended<'_>, extent: Extent) -> String {
     let report = ended.report;
     let scene = &loaded.scene;
-    let mut sections =
-        vec![format!("{}{}", title(loaded), answer::answer(&ended)), answer::warnings(report) + &approximations(scene)];
+    let mut sections = vec![
+        format!("{}{}", title(loaded), answer::answer(&ended)),
+        answer::warnings(report) + &approximations(scene) + &uncertain(loaded),
+    ];
     sections.push(happened::happened(&ended));
     sections.push(happened::bodies(report));
     sections.push(happened::energies(&report.energy));
@@ -78,6 +80,15 @@ pub(crate) fn plan(loaded: &LoadedScene, plan: &Plan) -> String {
 fn title(loaded: &LoadedScene) -> String {
     let (name, title) = (loaded.scene.name(), loaded.title());
     if title == name { format!("scene {name}\n") } else { format!("scene {name}: {title}\n") }
+}
+
+/// That the scene has values that are uncertain, of which a run says nothing.
+fn uncertain(loaded: &LoadedScene) -> String {
+    match loaded.uncertain().len() {
+        0 => String::new(),
+        1 => "uncertain: 1 entry of the scene, not drawn in a run: polhode sweep draws it\n".to_owned(),
+        count => format!("uncertain: {count} entries of the scene, not drawn in a run: polhode sweep draws them\n"),
+    }
 }
 
 /// How well convex parts fill the meshes that they stand for; one line for each such body.

@@ -121,6 +121,16 @@ impl<'a> Bodies<'a> {
         Self { compiler, defaults, assets, meshes, links, joints, numbers, masks: vec![Vec::new()], sites }
     }
 
+    /// What the joint of this name leaves free.
+    pub(super) fn kind_of(&self, name: &str) -> Option<RobotJointKind> {
+        self.joints.iter().find(|joint| joint.name == name).map(|joint| joint.kind)
+    }
+
+    /// The names of all coordinates.
+    pub(super) fn coordinate_names(&self) -> Vec<&str> {
+        self.joints.iter().flat_map(|joint| &joint.coordinates).map(|own| own.name.as_str()).collect()
+    }
+
     /// Links and joints, and the pairs of links whose geometries do not collide; with `contacts` off no pair does.
     pub(super) fn into_parts(mut self, contacts: Contacts) -> Parts {
         let meets = |a: Mask, b: Mask| contacts == Contacts::On && a.meets(b);

@@ -3,6 +3,7 @@
 use super::super::element::Element;
 use super::super::finding::RobotDefect;
 use super::super::reading::Reading;
+use super::general::{self, GENERAL};
 use std::collections::BTreeMap;
 
 /// The class that holds where none is named.
@@ -33,6 +34,11 @@ impl Defaults {
     fn add(&mut self, element: &Element, name: &str, above: BTreeMap<String, Attributes>) {
         let mut kinds = above;
         for child in element.children.iter().filter(|child| child.name != "default") {
+            if general::is_actuator(&child.name) {
+                let made = general::general(child, kinds.remove(GENERAL).unwrap_or_default());
+                kinds.insert(GENERAL.to_owned(), made);
+                continue;
+            }
             let attributes = kinds.entry(child.name.clone()).or_default();
             for (key, value) in child.attributes().filter(|(key, _)| *key != "class") {
                 attributes.retain(|(own, _)| own != key);
@@ -60,6 +66,13 @@ impl Defaults {
             }
             self.check(child, reading);
         }
+    }
+
+    /// An actuator as `<general>` would write it, with the attributes that it has from its class.
+    pub(super) fn actuator(&self, element: &Element) -> Element {
+        let class = element.attribute("class").unwrap_or(MAIN);
+        let above = self.0.get(class).and_then(|kinds| kinds.get(GENERAL)).cloned().unwrap_or_default();
+        element.with_attributes(general::general(element, above))
     }
 
     /// An element with the attributes that it has from its class, or from that of the bodies around it.

@@ -3,7 +3,7 @@
 use super::super::element::Element;
 use super::super::finding::RobotDefect;
 use super::super::joint_extras::{self, ARMATURE};
-use super::super::model::{RobotCoordinate, RobotJointKind};
+use super::super::model::{EffortLimit, RobotCoordinate, RobotJointKind};
 use super::super::reading::Reading;
 use super::compiler::Compiler;
 use glam::DVec3;
@@ -68,9 +68,19 @@ pub(super) fn read(element: &Element, compiler: &Compiler, name: String, reading
     let [damping, stiffness, friction] = ["damping", "stiffness", "frictionloss"].map(&mut constant);
     let mut value = |key: &'static str| in_si(reading.number(element, key, &subject).unwrap_or(0.0));
     let (reference, rest) = (value("ref"), value("springref"));
+    let effort_limit = effort_limit(element, &subject, reading);
     let place = element.place.clone();
-    let coordinate =
-        RobotCoordinate { name: name.clone(), place, reference, limits, damping, friction, stiffness, rest };
+    let coordinate = RobotCoordinate {
+        name: name.clone(),
+        place,
+        reference,
+        limits,
+        damping,
+        friction,
+        stiffness,
+        rest,
+        effort_limit,
+    };
     Some(BodyJoint { name, kind, anchor, coordinates: vec![coordinate] })
 }
 
@@ -97,11 +107,48 @@ fn limits(element: &Element, compiler: &Compiler, subject: &str, reading: &mut R
     None
 }
 
+/// The largest effort of all motors of a joint.
+fn effort_limit(element: &Element, subject: &str, reading: &mut Reading) -> Option<EffortLimit> {
+    let what = "actuatorfrcrange";
+    let range = reading.numbers(element, what, 2..=2, subject)?;
+    let (lower, upper) = (range[0], range[1]);
+    if element.attribute("actuatorfrclimited") == Some("false") {
+        return None;
+    }
+    if lower >= upper {
+        reading.refuse(element, subject, RobotDefect::Range { what, lower, upper });
+        return None;
+    }
+    let most = joint_extras::to_both_sides([lower, upper], element, subject, reading);
+    Some(EffortLimit { place: element.place.clone(), what: "`actuatorfrcrange` of <joint>", most })
+}
+
+/// Why constants of soft limits have no effect.
+const OF_LIMITS: &str = "limits and dry friction are rigid here";
+
+/// Why damping that is no constant has no effect.
+const OF_POWERS: &str = "dampers are linear: the first number is kept";
+
 /// What the joint has that has no effect.
 fn extras(element: &Element, reading: &mut Reading) {
-    let of_joints = [("armature", ARMATURE), ("springdamper", "springs are given by `stiffness`")];
+    for name in ["solreflimit", "solimplimit", "solreffriction", "solimpfriction", "margin"] {
+        if element.attribute(name).is_some() {
+            reading.ignore(element, format!("`{name}` of <joint>"), OF_LIMITS);
+        }
+    }
+    for name in ["damping", "stiffness"] {
+        let numbers = element.attribute(name).unwrap_or_default().split_whitespace().skip(1);
+        if numbers.into_iter().any(|word| word.parse() != Ok(0.0)) {
+            reading.ignore(element, format!("higher powers of `{name}` of <joint>"), OF_POWERS);
+        }
+    }
+    let of_joints = [
+        ("armature", ARMATURE),
+        ("springdamper", "springs are given by `stiffness`"),
+        ("actuatorgravcomp", "gravity is not compensated"),
+    ];
     for (name, why) in of_joints {
-        if element.attribute(name).is_some_and(|text| text.trim().parse() != Ok(0.0)) {
+        if element.attribute(name).is_some_and(|text| text.trim() != "false" && text.trim().parse() != Ok(0.0)) {
             reading.ignore(element, format!("`{name}` of <joint>"), why);
         }
     }

@@ -15,30 +15,51 @@
 //! | `joint` | joints |
 //! | `body` | the tree of bodies |
 //! | `equality` | what closes loops, and joints that follow others |
+//! | `actuator` | motors and servos |
+//! | `general` | what the ways to write them mean |
+//! | `keyframe` | states by name |
+//! | `option` | gravity, and what is left out of the rest |
 
+mod actuator;
 mod asset;
 mod body;
 mod compiler;
 mod defaults;
 mod equality;
 mod frame;
+mod general;
 mod geom;
 mod include;
 mod inertial;
 mod joint;
+mod keyframe;
+mod option;
 
 use super::element::Element;
 use super::finding::RobotDefect;
 use super::mesh_path::MeshPaths;
 use super::model::{Robot, Root};
 use super::reading::Reading;
-use body::{Bodies, Contacts, Parts};
+use body::{Bodies, Parts};
 use compiler::Compiler;
 use defaults::Defaults;
 use equality::Couplings;
+use option::{Actuation, Options};
 
 /// Elements of the root that are read, and those that say nothing of motion.
-const KNOWN: [&str; 8] = ["compiler", "default", "asset", "worldbody", "equality", "contact", "visual", "statistic"];
+const KNOWN: [&str; 11] = [
+    "compiler",
+    "default",
+    "asset",
+    "worldbody",
+    "equality",
+    "contact",
+    "visual",
+    "statistic",
+    "actuator",
+    "keyframe",
+    "option",
+];
 
 /// Why the rest has no effect.
 const OF_OTHERS: &str = "it is for other programs, or not simulated: see the book on robots";
@@ -66,9 +87,11 @@ pub(super) fn read(mut root: Element, paths: &MeshPaths, reading: &mut Reading) 
         return None;
     }
     let Couplings { loops, followers, mut apart } = equality::read(&root, &bodies, &defaults, reading);
-    let flags = root.all("option").flat_map(|option| option.all("flag"));
-    let is_off = flags.filter_map(|flag| flag.attribute("contact")).any(|word| word == "disable");
-    let contacts = if is_off { Contacts::Off } else { Contacts::On };
+    let Options { gravity, contacts, actuation } = Options::of(&root, reading);
+    let (mut actuators, actuator_names) = actuator::read(&root, (&bodies, &defaults), reading);
+    if actuation == Actuation::Off {
+        actuators.clear();
+    }
     let Parts { mut links, joints, apart: mut unmet } = bodies.into_parts(contacts);
     apart.append(&mut unmet);
     if let Some(total) = compiler.total_mass {
@@ -78,6 +101,21 @@ pub(super) fn read(mut root: Element, paths: &MeshPaths, reading: &mut Reading) 
             own.inertia *= total / sum;
         }
     }
+    let keyframes = keyframe::read(&root, (&joints, actuator_names.len()), reading);
     let place = root.place;
-    Some(Robot { name, place, links, joints, loops, followers, apart, root: Root::World, files })
+    Some(Robot {
+        name,
+        place,
+        links,
+        joints,
+        loops,
+        followers,
+        apart,
+        actuators,
+        actuator_names,
+        keyframes,
+        gravity,
+        root: Root::World,
+        files,
+    })
 }
