@@ -5,8 +5,8 @@ use crate::help;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use polhode::ErrorEstimation;
 use polhode_study::Threads;
-use polhode_study::sweep::Sensitivities;
 use polhode_study::stands::MOST_DIGITS;
+use polhode_study::sweep::Sensitivities;
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
 

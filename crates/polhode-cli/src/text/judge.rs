@@ -3,7 +3,7 @@
 use super::table::{Table, number};
 use polhode_study::judge::{Finding, Judgement, VelocitySource};
 use polhode_view::plot::Ink;
-use polhode_view::plot::time_chart::{AxisKind, Course, Line, Panel, TimeChart};
+use polhode_view::plot::time_chart::{AxisKind, Course, Line, OVER_TIME, Panel, TimeChart};
 use polhode_view::plot::trace::Trace;
 use std::fmt::Write as _;
 
@@ -134,5 +134,5 @@ pub(crate) fn picture(judgement: &Judgement) -> String {
             format!("{} is broken first, at t = {} s", first.law.name(), number(first.first_s.unwrap_or(f64::NAN)))
         }
     };
-    TimeChart { title, subtitle, events: Vec::new(), panels, stop: None }.svg()
+    TimeChart { title, subtitle, events: Vec::new(), panels, stop: None, along: OVER_TIME.to_owned() }.svg()
 }

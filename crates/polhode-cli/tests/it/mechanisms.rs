@@ -57,7 +57,6 @@ impl SliderCrank {
         let phi_rate = -r / l * c * w / cos_phi;
         let phi_acceleration = (r / l * s * w * w + sin_phi * phi_rate * phi_rate) / cos_phi;
         let (pin, along) = ([r * c, -r * s], [l * cos_phi, -l * sin_phi]);
-        let end = plus(pin, along);
         // Second derivatives: of (cos, -sin) of an angle.
         let second = |length: f64, [sin, cos]: V, rate: f64, acceleration: f64| {
             [length * (-cos * rate * rate - sin * acceleration), length * (sin * rate * rate - cos * acceleration)]

@@ -81,8 +81,25 @@ fn the_first_lines_of_a_run_whose_error_is_not_known() {
 /// Where rounding has grown to a hundredth of a body within the run, a line says so.
 #[test]
 fn the_horizon_stands_in_the_first_lines() {
-    let args = ["run", "example:kapla-tower", "--tier", "fast", "--duration", "1", "--error", "full"];
-    let run = Place::new().run(&args);
+    let mut scene = "format = 1\nduration = 14\ngravity = [0, 0, 0]\n[materials.ivory]\nrestitution = 1\n".to_owned();
+    for (name, normal) in
+        [("east", "[-1, 0, 0]"), ("west", "[1, 0, 0]"), ("north", "[0, -1, 0]"), ("south", "[0, 1, 0]")]
+    {
+        let far = normal.replace("-1", "2").replace('1', "-1").replace('2', "1");
+        scene += &format!(
+            "[[bodies]]\nname = \"{name}\"\nfixed = true\nmaterial = \"ivory\"\n\
+             shape.half_space.normal = {normal}\nposition = {far}\n"
+        );
+    }
+    for (name, rest) in [
+        ("post", "fixed = true\nshape.sphere.radius = 0.3\nposition = [-0.3, -0.2, 0]\n"),
+        ("ball", "mass = 1\nshape.sphere.radius = 0.05\nposition = [0.3, -0.5, 0]\nvelocity = [1.3, 1.7, 0]\n"),
+    ] {
+        scene += &format!("[[bodies]]\nname = \"{name}\"\nmaterial = \"ivory\"\n{rest}");
+    }
+    let place = Place::new();
+    place.write("scene.toml", &scene);
+    let run = place.run(&["run", "scene.toml", "--error", "full"]);
     let lines = first_lines(&run.stdout);
     let until = line(&lines, "until when ");
     assert!(until.starts_with("what lies after t = ") && until.contains("s is one of many outcomes"), "{until}");

@@ -35,6 +35,15 @@ pub(super) struct NpySamples {
     cut_off: Option<String>,
 }
 
+/// What the rows of a file may hold.
+struct Kind {
+    /// Numbers of a body in a sample.
+    width: usize,
+    /// Columns of a body, without errors.
+    columns: usize,
+    error_columns: ErrorColumns,
+}
+
 impl NpySamples {
     pub(super) fn open(path: &Path, expected: &Expected, velocities: Velocities) -> Result<Self, TrajectoryError> {
         let cannot_read = |source| TrajectoryError::Read { path: path.to_owned(), source };
@@ -47,16 +56,19 @@ impl NpySamples {
         let [count, bodies, width] = shape(&header).map_err(|reason| samples.wrong(reason))?;
         // Instead of the name of the body, a row has its place.
         let kinds = velocities.widths().iter().flat_map(|&columns| {
-            let plain = NPY_WIDTH - COLUMNS.len() + columns;
-            let errors = NPY_WIDTH_WITH_ERRORS - COLUMNS.len() + columns;
-            [(plain, columns, ErrorColumns::Absent), (errors, columns, ErrorColumns::Written)]
+            let of = |with_velocities: usize, error_columns| Kind {
+                width: with_velocities + columns - COLUMNS.len(),
+                columns,
+                error_columns,
+            };
+            [of(NPY_WIDTH, ErrorColumns::Absent), of(NPY_WIDTH_WITH_ERRORS, ErrorColumns::Written)]
         });
-        let kinds: Vec<_> = kinds.collect();
-        let kind = kinds.iter().find(|(own, ..)| *own as u64 == width).filter(|_| bodies == expected.count() as u64);
-        if let Some((_, columns, error_columns)) = kind {
+        let kinds: Vec<Kind> = kinds.collect();
+        let kind = kinds.iter().find(|own| own.width as u64 == width).filter(|_| bodies == expected.count() as u64);
+        if let Some(Kind { columns, error_columns, .. }) = kind {
             (samples.numbers, samples.error_columns) = (columns - FIRST_NUMBER, *error_columns);
         } else {
-            let widths: Vec<String> = kinds.iter().map(|(own, ..)| own.to_string()).collect();
+            let widths: Vec<String> = kinds.iter().map(|own| own.width.to_string()).collect();
             let needed = format!("(samples, {}, {})", expected.count(), widths.join(" or "));
             let what = format!("its shape is ({count}, {bodies}, {width}), and the scene's is {needed}");
             return Err(samples.wrong(format!("{what}: is it another scene's?")));

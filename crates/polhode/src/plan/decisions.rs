@@ -359,9 +359,7 @@ fn contact_decisions(model: &Model, effects: Effects, findings: &Findings) -> Ve
             match (pairs.count, limits) {
                 (0, 0) => "all collision detection",
                 (0, _) => "all collision detection of shapes",
-                _ => {
-                    "nothing: bodies near each other are searched for contacts, at every step of those that move"
-                }
+                _ => "nothing: bodies near each other are searched for contacts, at every step of those that move",
             },
         ),
         decision(
