@@ -6,7 +6,7 @@
 //!
 //! | module | holds |
 //! |---|---|
-//! | `args`, `drop_args` | the command line |
+//! | `args`, `drop_args`, `mesh_args` | the command line |
 //! | `abandoned` | what programs that were killed have left behind |
 //! | `failure` | [`Failure`]: what went wrong, and the exit code it means |
 //! | `run`, `plan`, `check`, `mesh`, `compare` | the commands; `run` has `resume` too |
@@ -77,6 +77,7 @@ mod interrupt;
 mod judge;
 mod meant;
 mod mesh;
+mod mesh_args;
 mod pictures;
 mod plan;
 mod plots;

@@ -64,9 +64,8 @@ pub enum PrismError {
 /// The prism along z over a polygon (m) in either direction round, from `-height / 2` to `height / 2`.
 ///
 /// ```
-/// use glam::DVec2;
 /// use polhode_mesh::prism;
-/// let triangle = [DVec2::ZERO, DVec2::X, DVec2::Y];
+/// let triangle = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]].map(Into::into);
 /// assert_eq!(prism(&triangle, 2.0)?.volume_integrals().volume, 1.0);
 /// # Ok::<(), polhode_mesh::PrismError>(())
 /// ```

@@ -4,7 +4,6 @@
 //! Each scene is run by `valgrind --tool=cachegrind --cache-sim=no` without an estimate, with a quick and with a full
 //! one. Scenes that take long are left out and named.
 
-use super::Options;
 use polhode::ErrorEstimation;
 use polhode_cases::cargo::cargo;
 use std::error::Error;
@@ -19,11 +18,11 @@ const LONG: Duration = Duration::from_secs(2);
 /// At most so many times the instructions of a run without an estimate, by quick and full ones.
 const MOST: [(ErrorEstimation, f64); 2] = [(ErrorEstimation::Quick, 1.3), (ErrorEstimation::Full, 4.0)];
 
-/// Counts, and prints a line for each scene.
+/// Counts, and prints a line for each of the scenes whose names begin so, of them one in so many.
 ///
 /// # Errors
 /// When the program cannot be built, or the scenes cannot be listed.
-pub(super) fn print(options: &Options, root: &Path) -> Result<ExitCode, Box<dyn Error>> {
+pub(super) fn print(root: &Path, only: &str, every: usize) -> Result<ExitCode, Box<dyn Error>> {
     let built = cargo(root).args(["build", "--release", "--quiet", "--package", "polhode-cli"]).status()?;
     if !built.success() {
         return Err("the program cannot be built".into());
@@ -31,7 +30,7 @@ pub(super) fn print(options: &Options, root: &Path) -> Result<ExitCode, Box<dyn 
     let program = root.join("target/release/polhode");
     let mut within = [0_usize; MOST.len()];
     let mut counted = 0;
-    for scene in scenes(root, options)? {
+    for scene in scenes(root, only, every)? {
         let name = scene.file_stem().unwrap_or_default().to_string_lossy().into_owned();
         let start = Instant::now();
         run(Command::new(&program), &scene, ErrorEstimation::Off).stderr(Stdio::null()).status()?;
@@ -56,14 +55,13 @@ pub(super) fn print(options: &Options, root: &Path) -> Result<ExitCode, Box<dyn 
 }
 
 /// The scenes that ship and are meant, by name.
-fn scenes(root: &Path, options: &Options) -> Result<Vec<PathBuf>, Box<dyn Error>> {
+fn scenes(root: &Path, only: &str, every: usize) -> Result<Vec<PathBuf>, Box<dyn Error>> {
     let entries = fs::read_dir(root.join("fixtures/scenes"))?.collect::<Result<Vec<_>, _>>()?;
     let mut paths: Vec<PathBuf> = entries.into_iter().map(|entry| entry.path()).collect();
-    let only = options.only.as_deref().unwrap_or_default();
     paths.retain(|path| path.extension().is_some_and(|kind| kind == "toml"));
     paths.retain(|path| path.file_name().is_some_and(|name| name.to_string_lossy().starts_with(only)));
     paths.sort();
-    Ok(paths.into_iter().step_by(options.every.max(1)).collect())
+    Ok(paths.into_iter().step_by(every.max(1)).collect())
 }
 
 /// The instructions of a run.

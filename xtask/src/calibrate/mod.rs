@@ -65,7 +65,7 @@ pub(crate) fn run(options: &Options, root: &Path) -> Result<ExitCode, Box<dyn Er
         return Ok(find_horizons(options, root));
     }
     if options.costs {
-        return costs::print(options, root);
+        return costs::print(root, options.only.as_deref().unwrap_or_default(), options.every);
     }
     let all = calibration::all(root, options.draw);
     let is_meant = |known: &&Known| options.only.as_ref().is_none_or(|only| known.name.starts_with(only.as_str()));

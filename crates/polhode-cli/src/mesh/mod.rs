@@ -10,8 +10,8 @@ mod output;
 mod parts;
 mod studies;
 
-use crate::args::{MeshArgs, MeshRepairArgs};
 use crate::failure::{self, Failure};
+use crate::mesh_args::{MeshArgs, MeshRepairArgs};
 use crate::progress::Progress;
 use crate::{inputs, stdout, text};
 use output::MeshOutput;

@@ -1,7 +1,7 @@
 //! Meshes out: the format follows the ending, and a file appears when it is complete.
 
-use crate::args::{MeshEncoding, MeshOutputArgs};
 use crate::failure::Failure;
+use crate::mesh_args::{MeshEncoding, MeshOutputArgs};
 use polhode::mesh::{Encoding, MeshFormat, TriangleMesh, format};
 use polhode_scene::AtomicFile;
 use std::io::{self, Write};

@@ -1,7 +1,7 @@
 //! Convex parts of a solid.
 
-use crate::args::MeshStudyArgs;
 use crate::failure::Failure;
+use crate::mesh_args::MeshStudyArgs;
 use crate::text::{Table, number};
 use polhode::contact::{ApproximateDecomposition, ApproximateSettings, approximate_decomposition};
 use polhode::mesh::{ConvexSolid, Decomposition, DecompositionSettings, SolidMesh, TriangleMesh, convex_decomposition};

@@ -1,7 +1,7 @@
 //! Other ways to the mass properties, set beside the exact result.
 
-use crate::args::MeshArgs;
 use crate::failure::Failure;
+use crate::mesh_args::MeshArgs;
 use crate::progress::Progress;
 use crate::text;
 use polhode::mesh::{

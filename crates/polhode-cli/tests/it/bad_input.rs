@@ -199,7 +199,7 @@ const COMMANDS: &[Case] = &[
     (
         2,
         &["run", "scene.toml", "--events", "a.json"],
-        "events and joints are written as CSV: name a file that ends in .csv",
+        "events, joints and contacts are written as CSV: name a file that ends in .csv",
     ),
     (2, &["run", "scene.toml", "-o", "-", "--json"], "both want stdout"),
     (2, &["run", "scene.toml", "-o", "-", "-o", "-"], "is named twice"),

@@ -204,7 +204,9 @@ fn causes_are_told_where_nothing_moves() {
         let table = place.read("joints.csv");
         let near = |joint: &str, name: &str, expected: f64| {
             for found in column(&table, joint, name) {
-                assert!((found - expected).abs() < 1e-7, "{tier}: {joint}.{name}: {found} for {expected}\n{table}");
+                // A stop gives way a little within a time step.
+                let within = if tier == "stepped" { 1e-4 } else { 1e-7 };
+                assert!((found - expected).abs() < within, "{tier}: {joint}.{name}: {found} for {expected}\n{table}");
             }
         };
         near("shoulder", "drive_torque", -9.81);

@@ -81,7 +81,7 @@ fn the_first_lines_of_a_run_whose_error_is_not_known() {
 /// Where rounding has grown to a hundredth of a body within the run, a line says so.
 #[test]
 fn the_horizon_stands_in_the_first_lines() {
-    let mut scene = "format = 1\nduration = 14\ngravity = [0, 0, 0]\n[materials.ivory]\nrestitution = 1\n".to_owned();
+    let mut scene = "format = 1\nduration = 60\ngravity = [0, 0, 0]\n[materials.ivory]\nrestitution = 1\n".to_owned();
     for (name, normal) in
         [("east", "[-1, 0, 0]"), ("west", "[1, 0, 0]"), ("north", "[0, -1, 0]"), ("south", "[0, 1, 0]")]
     {

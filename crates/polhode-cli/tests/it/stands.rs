@@ -59,9 +59,9 @@ fn a_table_of_boxes_is_a_scene() {
     assert!(run.stderr.contains("bad.csv:2: `z` is `x`") && run.stderr.contains("size_x"), "{}", run.stderr);
 }
 
-/// A semicircular arch of 20 plane stones with radial joints that do not slip stands from a thickness of 0.107347744 of
-/// its mean radius on (the lower bound theorem as a linear programme, computed apart). One that is a little thicker falls
-/// by the least push about four hinges, of which the picture has a ring each; one that is thinner begins to move now.
+/// A semicircular arch of 20 plane stones with radial joints that do not slip stands from a thickness of 0.107347744
+/// of its mean radius on (the lower bound theorem as a linear programme, computed apart). One that is a little thicker
+/// falls by the least push about four hinges, of which the picture has a ring each; a thinner one begins to move now.
 #[test]
 fn the_least_thickness_of_an_arch() {
     let place = Place::new();

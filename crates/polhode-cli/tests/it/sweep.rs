@@ -140,7 +140,7 @@ fn mistakes_are_told_and_nothing_is_overwritten() {
         (2, &["materials.ice.friction=0.1..0.2:0"], "0.1..0.2:0"),
         (2, &["materials.ice.friction=0.1..0.2"], "--random"),
         (2, &["materials.ice.friction=0.1..0.2", "--random", "1000000000"], "10000000"),
-        (2, &["materials.ice.friction=0.1", "--measure", "bodies.bxo.position[0]"], "the scene has no body or joint"),
+        (2, &["materials.ice.friction=0.1", "--measure", "bodies.bxo.position[0]"], "did you mean `box`?"),
         (2, &["materials.ice.friction=0.1", "--measure", "bodies.box.position[3]"], "[0] to [2]"),
         (2, &["materials.ice.friction=0.1", "--measure", "bodies.box.orientation"], "[0] to [3]"),
         (2, &["materials.ice.friction=0.1", "--measure", "largest(energy.kinetic)"], "accepted"),

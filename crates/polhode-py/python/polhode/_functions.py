@@ -70,7 +70,7 @@ def doctor(robot: str | os.PathLike[str]) -> list[_polhode.Finding]:
     """What is impossible in the file of a robot (URDF, MJCF), simulated otherwise than it says, or without effect.
 
     Each finding has its place (``file``, ``line``, ``column``), ``severity`` (error, warning, ignored, read),
-    ``subject``, ``what`` with its size, and ``cure``: the edit that mends it. A file that is refused raises nothing: its errors are
-    findings.
+    ``subject``, ``what`` with its size, and ``cure``: the edit that mends it. A file that is refused raises nothing:
+    its errors are findings.
     """
     return _polhode.doctor(robot)

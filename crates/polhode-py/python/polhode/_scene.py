@@ -208,7 +208,8 @@ class Scene:
         if "at" in keys:
             keys["position"] = keys.pop("at")
         self._with_material(keys)
-        self._list("arrays").append({"name": name, "layout": layout, **({} if shape is None else {"shape": shape.document}), **keys})
+        of_shape = {} if shape is None else {"shape": shape.document}
+        self._list("arrays").append({"name": name, "layout": layout, **of_shape, **keys})
         return name
 
     def robot(self, file: str | os.PathLike[str], *, at: Vector = (0, 0, 0), **keys: Any) -> None:

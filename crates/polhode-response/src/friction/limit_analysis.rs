@@ -15,8 +15,8 @@
 //!   the multipliers; Newton's method for its zero, kept between what misses and what does not, takes a few programmes.
 //!   `1 - m` is the reserve of friction, and the forces found have all of it.
 //!
-//! - **Collapse.** Where no forces in the cones hold it, the multipliers that show it (of Farkas' lemma) are a motion in
-//!   which no contact closes and the loads do work: one that begins.
+//! - **Collapse.** Where no forces in the cones hold it, the multipliers that show it (of Farkas' lemma) are a motion
+//!   in which no contact closes and the loads do work: one that begins.
 //!
 //! Symbols: `f` (N), `J` (no unit), `M` (kg), `a` (m/s^2), `l`, `m`, `mu`, `t` (no unit). Sources: Heyman 1966;
 //! Livesley 1978 (limit analysis as a programme); Whiting 2009 (how far a structure is from standing). Assumption:

@@ -6,7 +6,7 @@ use super::matter::Matter;
 use super::placement;
 use crate::document::KeyPath;
 use crate::error::Refusal;
-use crate::format::{CompoundEntry, MeshEntry, PartEntry, RadiusHeightEntry, ShapeEntry, WedgeEntry};
+use crate::format::{CompoundEntry, FileEntry, MeshEntry, PartEntry, RadiusHeightEntry, ShapeEntry, WedgeEntry};
 use crate::mesh_file::MeshFolder;
 use glam::DVec2;
 use polhode::contact::{ConvexPolyhedron, Shape};
@@ -99,15 +99,17 @@ pub(super) fn build(
             solid_form(prism(&corners, positive(entry.height, &path.key("height"))?), &path.key("polygon"))
         }
         ShapeEntry::Wedge(entry) => wedge(entry, &path.key("wedge")),
-        ShapeEntry::Convex(entry) => {
-            let path = path.key("convex");
-            let mesh = SolidMesh::new(read((&entry.file, entry.scale), folder, &path)?);
-            let mesh = mesh.map_err(|error| no_solid(&entry.file, error, &path))?;
-            let polyhedron = ConvexPolyhedron::from_mesh(&mesh).map_err(|error| (path.key("file"), error.into()))?;
-            Ok(Form { geometry: Shape::convex(polyhedron).into(), matter: Matter::Mesh(mesh), approximation: None })
-        }
+        ShapeEntry::Convex(entry) => convex(entry, folder, &path.key("convex")),
         ShapeEntry::Mesh(entry) => mesh(entry, mobility, folder, &path.key("mesh")),
     }
+}
+
+/// The convex solid of a mesh file.
+fn convex(entry: &FileEntry, folder: &MeshFolder, path: &KeyPath) -> Result<Form, Fault> {
+    let mesh = SolidMesh::new(read((&entry.file, entry.scale), folder, path)?);
+    let mesh = mesh.map_err(|error| no_solid(&entry.file, error, path))?;
+    let polyhedron = ConvexPolyhedron::from_mesh(&mesh).map_err(|error| (path.key("file"), error.into()))?;
+    Ok(Form { geometry: Shape::convex(polyhedron).into(), matter: Matter::Mesh(mesh), approximation: None })
 }
 
 /// A primitive as shape and matter.

@@ -1,7 +1,8 @@
 //! Values set from outside the file: `--set key=value`.
 //!
 //! A key is a dotted path as TOML writes it; an element of `bodies` or `arrays` goes by its name or its number (from
-//! 0), of other arrays by its number; `position[2]` is `position.2`. A value is TOML; a bare word (`propagation`, `../mesh.obj`) is taken as a string.
+//! 0), of other arrays by its number; `position[2]` is `position.2`. A value is TOML; a bare word (`propagation`,
+//! `../mesh.obj`) is taken as a string.
 
 use super::source::Source;
 use crate::error::Refusal;

@@ -42,6 +42,9 @@ mod reactions;
 mod start;
 mod truth;
 
+/// What counts as nothing unless it is asked otherwise, of sizes, speeds and energies (no unit, 1e-15 to 1e-2).
+pub const TOLERANCE: f64 = 1e-9;
+
 pub use error::JudgeError;
 pub use given::{Given, VelocitySource};
 pub use judgement::{Judgement, Question, judge};

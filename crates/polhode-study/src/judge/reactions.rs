@@ -6,8 +6,8 @@
 //!
 //! A law is a cone of directions at each contact: with friction `n + mu t` for all unit tangents `t`. The least is
 //! looked for over a few of them, by the complementarity problem `0 <= l _|_ H u <= 0`; then the direction in which
-//! what is left grows most is added, until nothing is left or nothing is gained. Symbols: `P` impulses (N s, N m s), `H`
-//! directions, `l` their impulses (N s), `M` masses, `mu` coefficient of friction, `n` normal.
+//! what is left grows most is added, until nothing is left or nothing is gained. Symbols: `P` impulses (N s, N m s),
+//! `H` directions, `l` their impulses (N s), `M` masses, `mu` coefficient of friction, `n` normal.
 //!
 //! Source: the dual of Gauss's principle of least constraint; directions are generated as in the fully corrective
 //! method of Frank and Wolfe 1956.

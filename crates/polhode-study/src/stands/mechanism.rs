@@ -64,8 +64,8 @@ pub struct Mechanism {
 }
 
 impl Mechanism {
-    /// The motion that begins now, of bodies at rest with these margins and contacts, which nothing holds. None where the
-    /// analysis has none.
+    /// The motion that begins now, of bodies at rest with these margins and contacts, which nothing holds. None where
+    /// the analysis has none.
     pub(super) fn now(scene: &Scene, stability: &Stability, contacts: &[ContactView]) -> Option<Self> {
         Self::of(scene, Begins::Now, &stability.friction.begins, contacts)
     }

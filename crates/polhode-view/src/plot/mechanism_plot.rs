@@ -28,6 +28,8 @@ const SHIFT: f64 = 0.05;
 const TURN: f64 = 0.35;
 /// Most bodies whose names are written.
 const MOST_NAMES: usize = 12;
+/// Rotations of the bodies whose sum is below this, rad/s, cancel: the picture is square to the fastest body then.
+const LEVEL: f64 = 1e-3;
 
 /// The motion that begins.
 #[derive(Debug, Clone, Copy)]
@@ -144,7 +146,7 @@ impl MechanismPlot<'_> {
         }
         let moving = self.bodies.iter().map(|own| level(own.velocity.linear));
         let fastest = moving.max_by(|a, b| a.length().total_cmp(&b.length())).unwrap_or(DVec3::ZERO);
-        let along = if axis.length() > 1e-3 { axis } else { fastest.cross(up) };
+        let along = if axis.length() > LEVEL { axis } else { fastest.cross(up) };
         let away = along.try_normalize().unwrap_or_else(|| up.any_orthonormal_vector());
         // Of both sides that from which x goes to the right.
         let away = if away.cross(up).dot(DVec3::X + 0.5 * DVec3::Y) < 0.0 { -away } else { away };

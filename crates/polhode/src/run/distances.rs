@@ -113,8 +113,8 @@ impl Simulation {
         (samples, sizes): (&[BodySample], &[f64]),
     ) -> Vec<BodyError> {
         let (t, accounts, starts) = (self.core.t, &self.core.accounts, &self.references.course.start);
-        // The errors of steps under error control add up to a part of a tolerance where they cancel, as a run beside this
-        // one shows; where none accompanies all of it, they are known by themselves alone, and may not.
+        // The errors of steps under error control add up to a part of a tolerance where they cancel, as a run beside
+        // this one shows; where none accompanies all of it, they are known by themselves alone, and may not.
         let is_accompanied =
             self.references.running.iter().any(|own| own.is_whole && own.kind != ReferenceKind::Disturbed);
         let parts = if is_accompanied { PART_OF_TOLERANCE } else { accounts.step_errors.max(PART_OF_TOLERANCE) };
