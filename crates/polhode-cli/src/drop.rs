@@ -128,15 +128,14 @@ fn part(args: &ThrowArgs, named: Option<PartShape>) -> Result<Part, Failure> {
     if let (Some(_), Some(_)) = (&named, scale) {
         return Err(Failure::Usage("error: --scale is for a mesh file: a named shape is in metres".to_owned()));
     }
-    let shape = match named {
-        Some(shape) => shape,
-        None => {
-            let path = &args.body;
-            let solid = SolidMesh::new(read_mesh(path)?);
-            solid.map_err(|error| Failure::Usage(format!("error: {0}: {error}\n{1}", path.display(), cure(path))))?;
-            let unread = |error| Failure::InputOutput(format!("error: cannot read {}: {error}", path.display()));
-            PartShape::Mesh { file: std::fs::canonicalize(path).map_err(unread)?, scale: scale.unwrap_or(1.0) }
-        }
+    let shape = if let Some(shape) = named {
+        shape
+    } else {
+        let path = &args.body;
+        let solid = SolidMesh::new(read_mesh(path)?);
+        solid.map_err(|error| Failure::Usage(format!("error: {0}: {error}\n{1}", path.display(), cure(path))))?;
+        let unread = |error| Failure::InputOutput(format!("error: cannot read {}: {error}", path.display()));
+        PartShape::Mesh { file: std::fs::canonicalize(path).map_err(unread)?, scale: scale.unwrap_or(1.0) }
     };
     // A body may not bear the name of the floor.
     let name = if name == "floor" { "part".to_owned() } else { name };

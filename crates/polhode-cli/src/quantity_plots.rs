@@ -39,22 +39,21 @@ impl Wanted {
         let known = || RunPlot::ALL.into_iter().chain(RunPlot::OF_JOINTS);
         let (mut panels, mut quantities): (Vec<RunPlot>, Vec<Quantity>) = (Vec::new(), Vec::new());
         for word in words {
-            match known().find(|plot| plot.name() == word) {
-                Some(plot) => panels.push(plot),
-                None => {
-                    let quantity = loaded.quantity(word).map_err(|error| {
-                        let near = known().find(|plot| polhode_scene::is_slip_of(word, plot.name()));
-                        let meant = near.map_or_else(String::new, |plot| format!("did you mean `{}`? ", plot.name()));
-                        let names: Vec<&str> = known().map(RunPlot::name).collect();
-                        Failure::Usage(
-                            format!("error: --plot {error}; or all of {}: {meant}", names.join(", "))
-                                .trim_end_matches([':', ' '])
-                                .to_owned(),
-                        )
-                    })?;
-                    if !quantities.contains(&quantity) {
-                        quantities.push(quantity);
-                    }
+            if let Some(plot) = known().find(|plot| plot.name() == word) {
+                panels.push(plot)
+            } else {
+                let quantity = loaded.quantity(word).map_err(|error| {
+                    let near = known().find(|plot| polhode_scene::is_slip_of(word, plot.name()));
+                    let meant = near.map_or_else(String::new, |plot| format!("did you mean `{}`? ", plot.name()));
+                    let names: Vec<&str> = known().map(RunPlot::name).collect();
+                    Failure::Usage(
+                        format!("error: --plot {error}; or all of {}: {meant}", names.join(", "))
+                            .trim_end_matches([':', ' '])
+                            .to_owned(),
+                    )
+                })?;
+                if !quantities.contains(&quantity) {
+                    quantities.push(quantity);
                 }
             }
         }

@@ -89,7 +89,7 @@ fn draw(path: &Path, scene: &Scene, standing: &Standing) -> Result<(), Failure> 
 impl From<StandsError> for Failure {
     fn from(error: StandsError) -> Self {
         match error {
-            StandsError::Scene(error) => error.into(),
+            StandsError::Scene(error) => (*error).into(),
             StandsError::Simulation { .. } => Self::Check(format!("error: {error}")),
             StandsError::Interval(_) | StandsError::SameAtBothEnds { .. } => {
                 Self::Usage(format!("error: --bisect {error}"))

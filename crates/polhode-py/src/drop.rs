@@ -49,7 +49,7 @@ pub(crate) fn rest_poses(
         let is_stopped = || stop.load(Ordering::Relaxed);
         let poses = RestPoses::of(&setting, &throws, &is_stopped, |_| {
             done += 1;
-            if watch.reached(done as f64, count as f64) == Flow::Stop {
+            if watch.reached(f64::from(done), count as f64) == Flow::Stop {
                 stop.store(true, Ordering::Relaxed);
             }
             Ok(())

@@ -70,7 +70,7 @@ fn instructions(program: &Path, scene: &Path, effort: ErrorEstimation) -> Result
     valgrind.args(["--tool=cachegrind", "--cache-sim=no", "--cachegrind-out-file=/dev/null"]).arg(program);
     let output = run(valgrind, scene, effort).output().map_err(|error| format!("valgrind: {error}"))?;
     let text = String::from_utf8_lossy(&output.stderr);
-    let line = text.lines().find(|line| line.contains("I") && line.contains("refs:"));
+    let line = text.lines().find(|line| line.contains('I') && line.contains("refs:"));
     let digits: Option<String> = line
         .and_then(|line| line.split("refs:").nth(1))
         .map(|count| count.chars().filter(char::is_ascii_digit).collect());

@@ -128,7 +128,7 @@ fn of_poses<'a>(
     (path, file): (&KeyPath, &SceneFile),
 ) -> Result<Uncertain, Fault> {
     if let Some(other) = kinds(entry).first() {
-        return Err((path.key(*other), Refusal::Meaningless { key: *other, what: "bodies: it is for a key" }));
+        return Err((path.key(*other), Refusal::Meaningless { key: other, what: "bodies: it is for a key" }));
     }
     let path_of_bodies = path.key("bodies");
     let mut bodies = Vec::new();

@@ -132,7 +132,9 @@ impl Document {
     /// Why it does not.
     pub(crate) fn taken(&self, changes: &[Override]) -> Result<(), Refusal> {
         let mut other = self.clone();
-        changes.iter().for_each(|change| other.sources.push(&change.origin, change.text()));
+        for change in changes {
+            other.sources.push(&change.origin, change.text());
+        }
         let (file, rest) = other.sources.texts();
         let mut tree = DeTable::parse(file.text()).map_err(|error| Refusal::Syntax(error.message().to_owned()))?;
         for change in rest {

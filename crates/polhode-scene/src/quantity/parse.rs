@@ -199,10 +199,8 @@ fn pair_of(name: &str, loaded: &LoadedScene) -> Option<(BodyId, Option<BodyId>)>
     if let Some(one) = loaded.scene.body_id(name) {
         return Some((one, None));
     }
-    let places = name.match_indices('/').map(|(place, _)| place);
-    places
-        .filter_map(|at| Some((loaded.scene.body_id(&name[..at])?, Some(loaded.scene.body_id(&name[at + 1..])?))))
-        .next()
+    let mut places = name.match_indices('/').map(|(place, _)| place);
+    places.find_map(|at| Some((loaded.scene.body_id(&name[..at])?, Some(loaded.scene.body_id(&name[at + 1..])?))))
 }
 
 /// That a scene has nothing of this name, with what it has.
@@ -222,7 +220,7 @@ fn no_such(kind: Kind, name: &str, joints: &[String], loaded: &LoadedScene) -> S
 
 /// What of a list was meant by a word, and the list.
 fn with_meant(word: &str, list: &[&str]) -> String {
-    let quoted: String = list.iter().map(|known| format!("`{known}`")).collect();
+    let quoted = format!("`{}`", list.join("``"));
     let meant = meant(word, &quoted);
     let shown = list.iter().take(LONGEST_LIST).copied().collect::<Vec<_>>().join(", ");
     let more = list.len().saturating_sub(LONGEST_LIST);

@@ -54,12 +54,13 @@ pub(super) fn from_start(motor: Motor, value: f64) -> Result<Motor, FreedomError
 pub(super) fn of_scene(drive: &RobotDrive, own: &RobotCoordinate, coordinate: Coordinate) -> (Option<Motor>, Finding) {
     let bound = own.effort_limit.as_ref().filter(|_| drive.bound == MotorBound::OfFile);
     let motor = drive.motor.map(|motor| bounded(motor, bound));
-    let mut words = motor.map_or_else(String::new, |motor| words(&motor, coordinate));
-    if let Some(limit) = bound.filter(|_| motor.is_some()) {
+    let mut words = match motor {
+        _ if drive.motion.is_some() => "its motion is prescribed".to_owned(),
+        Some(motor) => words(&motor, coordinate),
+        None => String::new(),
+    };
+    if let Some(limit) = bound.filter(|_| motor.is_some() && drive.motion.is_none()) {
         let _ = write!(words, " ({} in its file)", limit.what);
-    }
-    if drive.motion.is_some() {
-        words = "its motion is prescribed".to_owned();
     }
     let place = own.place.clone();
     let (subject, defect) = (subject(own), RobotDefect::Read(format!("driven by the scene: {words}")));

@@ -10,14 +10,14 @@ use thiserror::Error;
 pub enum StandsError {
     /// The scene is refused.
     #[error(transparent)]
-    Scene(#[from] SceneFileError),
+    Scene(Box<SceneFileError>),
     /// The engine ends.
     #[error("{scene}: {source}")]
     Simulation {
         /// Name of the scene.
         scene: String,
         /// Why.
-        source: SimulationError,
+        source: Box<SimulationError>,
     },
     /// The text of an interval is none.
     #[error(
@@ -49,4 +49,10 @@ pub enum StandsError {
     /// The caller has ended the search.
     #[error("the search has been stopped")]
     Stopped,
+}
+
+impl From<SceneFileError> for StandsError {
+    fn from(error: SceneFileError) -> Self {
+        Self::Scene(Box::new(error))
+    }
 }

@@ -114,7 +114,7 @@ fn is_held(friction: &FrictionMargin) -> bool {
 fn failed(loaded: &LoadedScene, error: SimulationError) -> StandsError {
     match error {
         SimulationError::Scene(error) => loaded.explain(error).into(),
-        source => StandsError::Simulation { scene: loaded.scene.name().to_owned(), source },
+        source => StandsError::Simulation { scene: loaded.scene.name().to_owned(), source: Box::new(source) },
     }
 }
 

@@ -93,7 +93,7 @@ impl MechanismPlot<'_> {
         order.sort_by(|a, b| depth(b).total_cmp(&depth(a)));
         let seconds = self.seconds(&solids);
         let mut svg = Svg::new([WIDTH, height], self.title);
-        self.draw_grounds(&mut svg, &shown, &sight, height);
+        draw_grounds(&mut svg, &shown, &sight, height);
         for &body in &order {
             draw(&mut svg, &solids[body], &sight, |point| point, None);
         }
@@ -164,30 +164,6 @@ impl MechanismPlot<'_> {
         let room = (size[1] * sight.scale + 2.0 * MARGIN).clamp(HEIGHTS[0], HEIGHTS[1]);
         sight.place[1] = TOP + 0.5 * room;
         (sight, TOP + room + LEGEND)
-    }
-
-    /// Half-spaces that are seen from the side: a line.
-    fn draw_grounds(&self, svg: &mut Svg, shown: &ShownScene, sight: &Sight, height: f64) {
-        for body in &shown.bodies {
-            for half_space in &body.shape.half_spaces {
-                let normal = body.initial.rotation.rotate(half_space.normal());
-                let along = sight.away.cross(normal);
-                if along.length() < 0.5 {
-                    continue;
-                }
-                let far = along.normalize_or_zero() * (2.0 * WIDTH / sight.scale);
-                let [center_x, center_y] = sight.middle;
-                let center = sight.right * center_x + sight.up * center_y;
-                let on_plane = center - normal * (normal.dot(center - body.initial.translation) - half_space.offset());
-                let deep = normal * (2.0 * height / sight.scale);
-                let corners = [on_plane - far, on_plane + far, on_plane + far - deep, on_plane - far - deep];
-                svg.polygon(&corners.map(|point| sight.spot(point)), Ink::Grid);
-                svg.line(
-                    &[on_plane - far, on_plane + far].map(|point| sight.spot(point)),
-                    Stroke::new(Ink::Faint, 1.0),
-                );
-            }
-        }
     }
 
     /// Hinges and names.
@@ -274,15 +250,12 @@ fn draw(svg: &mut Svg, solid: &Solid, sight: &Sight, place: impl Fn(DVec3) -> DV
     for part in &solid.parts {
         let outline = hull(part.iter().map(|&point| sight.spot(place(point))).collect());
         let closed: Vec<Spot> = outline.iter().chain(outline.first()).copied().collect();
-        match ink {
-            Some(ink) => {
-                svg.area(&outline, ink, 0.3);
-                svg.line(&closed, Stroke::new(ink, 1.4));
-            }
-            None => {
-                svg.area(&outline, Ink::Grid, 0.6);
-                svg.line(&closed, Stroke::new(Ink::Faint, 0.7));
-            }
+        if let Some(ink) = ink {
+            svg.area(&outline, ink, 0.3);
+            svg.line(&closed, Stroke::new(ink, 1.4));
+        } else {
+            svg.area(&outline, Ink::Grid, 0.6);
+            svg.line(&closed, Stroke::new(Ink::Faint, 0.7));
         }
     }
 }
@@ -327,4 +300,25 @@ fn chain(spots: impl Iterator<Item = Spot>) -> Vec<Spot> {
     }
     chain.pop();
     chain
+}
+
+/// Half-spaces that are seen from the side: a line.
+fn draw_grounds(svg: &mut Svg, shown: &ShownScene, sight: &Sight, height: f64) {
+    for body in &shown.bodies {
+        for half_space in &body.shape.half_spaces {
+            let normal = body.initial.rotation.rotate(half_space.normal());
+            let along = sight.away.cross(normal);
+            if along.length() < 0.5 {
+                continue;
+            }
+            let far = along.normalize_or_zero() * (2.0 * WIDTH / sight.scale);
+            let [center_x, center_y] = sight.middle;
+            let center = sight.right * center_x + sight.up * center_y;
+            let on_plane = center - normal * (normal.dot(center - body.initial.translation) - half_space.offset());
+            let deep = normal * (2.0 * height / sight.scale);
+            let corners = [on_plane - far, on_plane + far, on_plane + far - deep, on_plane - far - deep];
+            svg.polygon(&corners.map(|point| sight.spot(point)), Ink::Grid);
+            svg.line(&[on_plane - far, on_plane + far].map(|point| sight.spot(point)), Stroke::new(Ink::Faint, 1.0));
+        }
+    }
 }

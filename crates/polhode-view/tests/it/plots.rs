@@ -9,7 +9,7 @@ use polhode::{Body, BodyError, BodySample, Observer, Scene, Simulation};
 use polhode_view::plot::cost_chart::{CostCurve, CostPoint, Level, OtherUnits, Rank, Target};
 use polhode_view::plot::cost_panels::{CostPanel, CostPanels, PanelBand, PanelCurve, PanelPoint};
 use polhode_view::plot::dot_chart::{Cell, Dot, Row};
-use polhode_view::plot::time_chart::{AxisKind, Course, EventRow, Line, Panel, Reach, Stop};
+use polhode_view::plot::time_chart::{AxisKind, Course, EventRow, Line, OVER_TIME, Panel, Reach, Stop};
 use polhode_view::plot::{ComparePlot, ComparePlots, CostChart, DotChart, Ink, RunPlot, RunPlots, TimeChart, Trace};
 use proptest::prelude::*;
 
@@ -124,6 +124,7 @@ fn chart(panels: Vec<Panel>) -> TimeChart {
     TimeChart {
         title: "a <scene> & \"more\"".to_owned(),
         subtitle: "tier accurate".to_owned(),
+        along: OVER_TIME.to_owned(),
         events: vec![event("impact", &[0.5, 1.0]), event("rest", &[])],
         panels,
         stop: Some(Stop { t_s: 1.5, reason: "a force grows without bound".to_owned() }),

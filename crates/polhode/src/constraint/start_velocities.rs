@@ -10,7 +10,7 @@
 
 use super::row::{RowsAt, push_in_space};
 use super::tie::{HeldTo, Tie, Tied};
-use crate::scene::Scene;
+use crate::scene::{Gear, Scene};
 use polhode_dynamics::RigidBody;
 use polhode_response::{Ask, ContactProblem, Memory, Question, ResponseError, RowProblem, solve};
 use polhode_spatial::{DVec3, DisjointSets, Motion, Pose, Velocity};
@@ -45,7 +45,7 @@ impl Scene {
 
     /// Whether gears and prescribed motions are of joints that exist; those are checked later.
     fn names_what_there_is(&self) -> bool {
-        let of_gears = self.gears.iter().flat_map(|gear| gear.ends());
+        let of_gears = self.gears.iter().flat_map(Gear::ends);
         let mut ends = of_gears.chain(self.coordinate_motions.iter().map(|(end, _)| *end));
         let bodies = self.bodies.len();
         let joints_exist = self.joints.iter().all(|joint| joint.bodies().all(|body| body < bodies));
