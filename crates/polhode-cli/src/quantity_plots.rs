@@ -40,7 +40,7 @@ impl Wanted {
         let (mut panels, mut quantities): (Vec<RunPlot>, Vec<Quantity>) = (Vec::new(), Vec::new());
         for word in words {
             if let Some(plot) = known().find(|plot| plot.name() == word) {
-                panels.push(plot)
+                panels.push(plot);
             } else {
                 let quantity = loaded.quantity(word).map_err(|error| {
                     let near = known().find(|plot| polhode_scene::is_slip_of(word, plot.name()));

@@ -28,9 +28,9 @@ pub(crate) fn judge(py: Python<'_>, path: PathBuf, loaded: &Loaded, tolerance: f
 
 /// The largest difference of every column of two trajectories as JSON.
 #[pyfunction]
-pub(crate) fn compare(py: Python<'_>, a: PathBuf, b: PathBuf, atol: f64, rtol: f64) -> PyResult<String> {
+pub(crate) fn compare(py: Python<'_>, a: &str, b: &str, atol: f64, rtol: f64) -> PyResult<String> {
     let tolerance = Tolerance { absolute: atol, relative: rtol };
-    let found = py.detach(|| compared(&a, &b, tolerance)).map_err(errors::value)?;
+    let found = py.detach(move || compared(a.as_ref(), b.as_ref(), tolerance)).map_err(errors::value)?;
     let column = |own: &polhode_scene::compare::ColumnDifference| {
         let at = own.at.as_ref().map(|at| json!({ "t": at.t, "body": at.body, "a": at.a, "b": at.b }));
         json!({ "column": own.column, "largest": own.largest, "beyond": own.beyond, "at": at })

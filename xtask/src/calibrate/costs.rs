@@ -7,6 +7,7 @@
 use polhode::ErrorEstimation;
 use polhode_cases::cargo::cargo;
 use std::error::Error;
+use std::fmt::Write as _;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode, Stdio};
@@ -43,7 +44,7 @@ pub(super) fn print(root: &Path, only: &str, every: usize) -> Result<ExitCode, B
         for ((effort, most), within) in MOST.into_iter().zip(&mut within) {
             let times = instructions(&program, &scene, effort)? as f64 / own as f64;
             *within += usize::from(times <= most);
-            line += &format!(", {} {times:.2}", effort.name());
+            let _ = write!(line, ", {} {times:.2}", effort.name());
         }
         counted += 1;
         println!("{line}");

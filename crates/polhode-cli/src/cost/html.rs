@@ -99,6 +99,6 @@ fn cell(value: f64, shown: &str) -> String {
     format!("<td class=\"n\" data-value=\"{value:?}\">{shown}</td>")
 }
 
-pub(super) fn escaped(text: &str) -> String {
+pub(crate) fn escaped(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }

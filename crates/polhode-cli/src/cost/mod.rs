@@ -19,7 +19,7 @@ mod csv;
 mod elastic_drop;
 mod elastic_text;
 mod figure;
-mod html;
+pub(crate) mod html;
 mod instructions;
 mod program;
 mod scale;

@@ -3,6 +3,7 @@
 //! Nothing in it depends on the hour, the machine or the number of workers, so that the same command gives the same
 //! bytes.
 
+use crate::cost::html::escaped;
 use crate::text::number;
 use crate::text::sweep::{INDEX_COLUMNS, band_cells, band_columns, index_cells, method};
 use polhode_study::sweep::{Findings, OfMeasure, Sweep, Values};
@@ -167,18 +168,14 @@ fn label(mark: &Mark) -> String {
 fn table(page: &mut String, columns: &[&str], rows: Vec<Vec<String>>) {
     page.push_str("<table>\n");
     if columns.iter().any(|column| !column.is_empty()) {
-        let heads: String = columns.iter().map(|column| format!("<th>{column}</th>")).collect();
+        let heads = format!("<th>{}</th>", columns.join("</th><th>"));
         let _ = writeln!(page, "<tr>{heads}</tr>");
     }
     for row in rows {
-        let cells: String = row.iter().map(|cell| format!("<td>{}</td>", escaped(cell))).collect();
-        let _ = writeln!(page, "<tr>{cells}</tr>");
+        let cells: Vec<String> = row.iter().map(|cell| escaped(cell)).collect();
+        let _ = writeln!(page, "<tr><td>{}</td></tr>", cells.join("</td><td>"));
     }
     page.push_str("</table>\n");
-}
-
-fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
 
 #[cfg(test)]

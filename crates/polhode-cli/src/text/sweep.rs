@@ -93,7 +93,9 @@ pub(crate) fn index_cells(indices: &Indices) -> Vec<Vec<String>> {
 fn hangs_on(indices: &Indices) -> String {
     let mut all = Table::default();
     all.row(INDEX_COLUMNS);
-    index_cells(indices).into_iter().for_each(|cells| all.cells(cells));
+    for cells in index_cells(indices) {
+        all.cells(cells);
+    }
     all.print()
 }
 

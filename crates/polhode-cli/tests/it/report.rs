@@ -6,6 +6,7 @@
 //! none".
 
 use crate::{FLIGHT, Place};
+use std::fmt::Write as _;
 
 /// The first lines of a report, with one space between words.
 fn first_lines(text: &str) -> Vec<String> {
@@ -86,7 +87,8 @@ fn the_horizon_stands_in_the_first_lines() {
         [("east", "[-1, 0, 0]"), ("west", "[1, 0, 0]"), ("north", "[0, -1, 0]"), ("south", "[0, 1, 0]")]
     {
         let far = normal.replace("-1", "2").replace('1', "-1").replace('2', "1");
-        scene += &format!(
+        let _ = write!(
+            scene,
             "[[bodies]]\nname = \"{name}\"\nfixed = true\nmaterial = \"ivory\"\n\
              shape.half_space.normal = {normal}\nposition = {far}\n"
         );
@@ -95,7 +97,7 @@ fn the_horizon_stands_in_the_first_lines() {
         ("post", "fixed = true\nshape.sphere.radius = 0.3\nposition = [-0.3, -0.2, 0]\n"),
         ("ball", "mass = 1\nshape.sphere.radius = 0.05\nposition = [0.3, -0.5, 0]\nvelocity = [1.3, 1.7, 0]\n"),
     ] {
-        scene += &format!("[[bodies]]\nname = \"{name}\"\nmaterial = \"ivory\"\n{rest}");
+        let _ = write!(scene, "[[bodies]]\nname = \"{name}\"\nmaterial = \"ivory\"\n{rest}");
     }
     let place = Place::new();
     place.write("scene.toml", &scene);

@@ -172,16 +172,16 @@ impl<'a> Interval<'a> {
 
     /// Whether bodies touch at an end.
     fn touches(&self, meeting: &Meeting<'_>) -> bool {
-        meeting.ends.iter().any(|own| self.touches_at(own))
+        meeting.ends.iter().any(|own| self.touches_at(*own))
     }
 
-    fn touches_at(&self, own: &Option<&NearPair>) -> bool {
+    fn touches_at(&self, own: Option<&NearPair>) -> bool {
         own.is_some_and(|pair| pair.separation_m <= self.observer.touch_m(pair))
     }
 
     /// Whether bodies that do not touch at both ends may strike each other between them.
     fn may_strike(&self, meeting: &Meeting<'_>) -> bool {
-        let [a, b] = meeting.ends.each_ref().map(|own| self.touches_at(own));
+        let [a, b] = meeting.ends.each_ref().map(|own| self.touches_at(*own));
         if a && b {
             return false;
         }
@@ -423,7 +423,7 @@ impl<'a, 'b> Group<'a, 'b> {
 
     /// Whether something acts at a joint that is not asked for: a stop, friction, what moves its other body.
     fn has_unknown_joints(&self) -> bool {
-        self.meetings.iter().flat_map(|own| own.ends).flatten().any(|pair| is_joint(pair))
+        self.meetings.iter().flat_map(|own| own.ends).flatten().any(is_joint)
     }
 
     /// What can act, by a law.
@@ -432,7 +432,7 @@ impl<'a, 'b> Group<'a, 'b> {
         for meeting in self.meetings.iter().filter(|own| self.interval.touches(own)) {
             let same = meeting.ends[0].zip(meeting.ends[1]).filter(|(a, b)| is_same(a, b));
             for end in if same.is_some() { 1..2 } else { 0..2 } {
-                let Some(pair) = meeting.ends[end].filter(|own| self.interval.touches_at(&Some(own))) else { continue };
+                let Some(pair) = meeting.ends[end].filter(|own| self.interval.touches_at(Some(*own))) else { continue };
                 self.of_pair((asked, about), (end, pair), &mut all);
             }
         }
@@ -486,7 +486,7 @@ impl<'a, 'b> Group<'a, 'b> {
 
     /// Whether a contact slides.
     fn slides(&self, pair: &NearPair, slip: DVec3) -> bool {
-        let speed = pair.bodies.iter().map(|body| self.interval.speeds(*body)).flatten().fold(0.0, f64::max);
+        let speed = pair.bodies.iter().flat_map(|body| self.interval.speeds(*body)).fold(0.0, f64::max);
         let unknown: f64 = pair
             .bodies
             .iter()
@@ -535,7 +535,7 @@ impl<'a, 'b> Group<'a, 'b> {
             });
             let same = meeting.ends[0].zip(meeting.ends[1]).filter(|(a, b)| is_same(a, b));
             for end in if same.is_some() { 1..2 } else { 0..2 } {
-                let Some(pair) = meeting.ends[end].filter(|own| self.interval.touches_at(&Some(own))) else { continue };
+                let Some(pair) = meeting.ends[end].filter(|own| self.interval.touches_at(Some(*own))) else { continue };
                 let friction = self.interval.observer.material(pair).friction();
                 let mut own = Vec::new();
                 self.of_pair((Asked::Coulomb, about), (end, pair), &mut own);

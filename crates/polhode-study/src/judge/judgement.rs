@@ -3,7 +3,7 @@
 use super::error::JudgeError;
 use super::given::{Given, VelocitySource};
 use super::interval::{Interval, OfGroup, Verdict};
-use super::law::{Finding, Law, Value};
+use super::law::{AtTime, Finding, Law};
 use super::observed::{Middle, Observed, Observer, ROUNDING};
 use super::start;
 use super::truth::Truth;
@@ -120,12 +120,12 @@ pub fn judge(given: &Given, scene: &Scene, question: Question<'_>) -> Result<Jud
 #[derive(Debug, Default)]
 struct Floating {
     /// By body: since which intervals in a row.
-    pending: std::collections::BTreeMap<BodyId, Vec<Value>>,
+    pending: std::collections::BTreeMap<BodyId, Vec<AtTime>>,
 }
 
 impl Floating {
     /// Bodies that float in an interval.
-    fn note(&mut self, now: Vec<(BodyId, Value)>, findings: &mut [Finding]) {
+    fn note(&mut self, now: Vec<(BodyId, AtTime)>, findings: &mut [Finding]) {
         self.pending.retain(|body, _| now.iter().any(|(own, _)| own == body));
         for (body, value) in now {
             let own = self.pending.entry(body).or_default();
@@ -147,11 +147,11 @@ impl Floating {
 }
 
 /// A place that has been told already.
-fn nothing() -> Value {
-    Value { t_s: f64::NAN, value: 0.0, limit: 0.0, bodies: Vec::new(), what: "" }
+fn nothing() -> AtTime {
+    AtTime { t_s: f64::NAN, value: 0.0, limit: 0.0, bodies: Vec::new(), what: "" }
 }
 
-fn add(findings: &mut [Finding], law: Law, value: Value) {
+fn add(findings: &mut [Finding], law: Law, value: AtTime) {
     if let Some(own) = findings.iter_mut().find(|own| own.law == law).filter(|_| !value.t_s.is_nan()) {
         own.add(value);
     }
@@ -208,7 +208,7 @@ impl<'a> Court<'a> {
         (0..self.observer.scene.bodies().len()).map(size).collect()
     }
 
-    fn add(&mut self, law: Law, value: Value) {
+    fn add(&mut self, law: Law, value: AtTime) {
         add(&mut self.findings, law, value);
     }
 
@@ -243,7 +243,7 @@ impl<'a> Court<'a> {
             let limit = self.observer.touch_m(pair);
             if pair.points.iter().all(|own| own.slip_m_s.is_some()) && pair.separation_m < 0.0 {
                 let bodies = pair.bodies.map(|own| self.observer.name(own)).to_vec();
-                self.add(Law::Penetration, Value { t_s, value: -pair.separation_m, limit, bodies, what: "" });
+                self.add(Law::Penetration, AtTime { t_s, value: -pair.separation_m, limit, bodies, what: "" });
             }
         }
         for own in &now.held {
@@ -254,7 +254,7 @@ impl<'a> Court<'a> {
             bodies.dedup();
             let limit = self.observer.tolerance * size + ROUNDING * far;
             let value = own.apart_m + own.turned_rad * size;
-            self.add(Law::Joints, Value { t_s, value, limit, bodies, what: "" });
+            self.add(Law::Joints, AtTime { t_s, value, limit, bodies, what: "" });
         }
         let given = self.observer.given;
         for (number, body) in self.observer.scene.bodies().iter().enumerate() {
@@ -270,7 +270,7 @@ impl<'a> Court<'a> {
             let value = apart + place_now.rotation.angle_to(wanted.rotation) * size;
             let limit = self.observer.tolerance * size + ROUNDING * (size + wanted.translation.length());
             let bodies = vec![body.name().to_owned()];
-            self.add(Law::Motion, Value { t_s, value, limit, bodies, what: "" });
+            self.add(Law::Motion, AtTime { t_s, value, limit, bodies, what: "" });
         }
     }
 
@@ -322,7 +322,7 @@ impl<'a> Court<'a> {
         let limit =
             self.observer.tolerance * self.scale_j + rounding + self.hidden_j + self.unsure_j[0] + self.unsure_j[1];
         let (value, what) = (self.gained_j, if self.gained_j < 0.0 { "lost" } else { "gained" });
-        self.add(Law::Energy, Value { t_s, value, limit, bodies: Vec::new(), what });
+        self.add(Law::Energy, AtTime { t_s, value, limit, bodies: Vec::new(), what });
     }
 
     fn add_groups(&mut self, t_s: f64, h: f64, groups: Vec<OfGroup>) {
@@ -340,14 +340,14 @@ impl<'a> Court<'a> {
                 Verdict::Nothing => (Law::Momentum, ""),
                 Verdict::Floats => {
                     let height = other.map_or(0.0, |(_, apart)| apart);
-                    floating.push((body, Value { t_s, value: height, limit: 0.0, bodies, what: "" }));
+                    floating.push((body, AtTime { t_s, value: height, limit: 0.0, bodies, what: "" }));
                     continue;
                 }
             };
             if matches!(verdict, Verdict::Nothing | Verdict::Apart) {
                 self.impulse_ns += value * h;
             }
-            self.add(law, Value { t_s, value, limit, bodies, what });
+            self.add(law, AtTime { t_s, value, limit, bodies, what });
         }
         self.floating.note(floating, &mut self.findings);
     }
@@ -374,7 +374,7 @@ impl<'a> Court<'a> {
             let rounding = ROUNDING * (b.center_m.length() / h + b.velocity.linear.length());
             let limit = 0.5 * most[0].max(fall) + rounding + self.observer.tolerance * b.velocity.linear.length();
             let bodies = vec![self.observer.name(BodyId::new(number))];
-            self.add(Law::Velocities, Value { t_s: ends[1].t_s, value: off, limit, bodies: bodies.clone(), what: "" });
+            self.add(Law::Velocities, AtTime { t_s: ends[1].t_s, value: off, limit, bodies: bodies.clone(), what: "" });
             let [from, to] = [place - 1, place].map(|row| given.samples[row][number].pose.rotation);
             let turned = (to * from.inverse()).to_rotation_vector() / h;
             let mean = (a.velocity.angular + b.velocity.angular) * 0.5;
@@ -387,7 +387,7 @@ impl<'a> Court<'a> {
             let what =
                 if degrees && off > limit { "angular velocities look like degrees a second" } else { "of rotation" };
             let (value, limit) = (off * b.size_m, limit * b.size_m);
-            self.add(Law::Velocities, Value { t_s: ends[1].t_s, value, limit, bodies, what });
+            self.add(Law::Velocities, AtTime { t_s: ends[1].t_s, value, limit, bodies, what });
         }
     }
 
@@ -397,7 +397,7 @@ impl<'a> Court<'a> {
             let Some(error) = own.error_m else { continue };
             let bodies = vec![self.observer.name(BodyId::new(own.body))];
             let limit = self.observer.tolerance * size + error;
-            self.add(Law::Truth, Value { t_s: own.t_s, value: own.distance_m, limit, bodies, what: "" });
+            self.add(Law::Truth, AtTime { t_s: own.t_s, value: own.distance_m, limit, bodies, what: "" });
         }
         if let Some(why) = &truth.ended {
             self.notes.push(format!("truth: {why}"));

@@ -108,7 +108,7 @@ pub struct Finding {
 
 /// A value at a time.
 #[derive(Debug, Clone)]
-pub(super) struct Value {
+pub(super) struct AtTime {
     pub(super) t_s: f64,
     pub(super) value: f64,
     pub(super) limit: f64,
@@ -124,7 +124,7 @@ impl Finding {
     }
 
     /// Adds a value.
-    pub(super) fn add(&mut self, own: Value) {
+    pub(super) fn add(&mut self, own: AtTime) {
         match self.over_time.last_mut().filter(|last| last[0].to_bits() == own.t_s.to_bits()) {
             Some(last) if own.value.abs() > last[1].abs() => last[1] = own.value,
             Some(_) => {}

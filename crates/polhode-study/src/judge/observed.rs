@@ -96,7 +96,7 @@ impl Observer<'_> {
         let (from, to) = (self.given.times_s[place - 1], self.given.times_s[place]);
         let rows = [&self.given.samples[place - 1], &self.given.samples[place]];
         let centers: Vec<DVec3> = (self.scene.bodies().iter())
-            .map(|body| body.mass_properties().map_or(DVec3::ZERO, |own| own.center_of_mass()))
+            .map(|body| body.mass_properties().map_or(DVec3::ZERO, polhode::prelude::MassProperties::center_of_mass))
             .collect();
         let states: Vec<BodySample> = (rows[0].iter().zip(rows[1]).zip(&centers))
             .map(|((a, b), center)| between(a, b, to - from, *center))

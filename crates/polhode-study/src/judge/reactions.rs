@@ -154,12 +154,12 @@ impl Problem {
 
     /// A direction in which something pushes.
     fn push(&mut self, reaction: usize, entries: Vec<(usize, [DVec3; 2])>) -> Result<(), ResponseError> {
-        self.add(reaction, entries, |rows, entries| rows.push_row(entries))
+        self.add(reaction, entries, ContactProblem::push_row)
     }
 
     /// One in which it pulls too.
     fn hold(&mut self, reaction: usize, entries: Vec<(usize, [DVec3; 2])>) -> Result<(), ResponseError> {
-        self.add(reaction, entries, |rows, entries| rows.push_held_row(entries))
+        self.add(reaction, entries, ContactProblem::push_held_row)
     }
 
     fn add(

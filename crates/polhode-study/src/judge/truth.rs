@@ -8,7 +8,7 @@ use polhode_scene::{Override, names};
 pub fn truth_of(scene: &Scene) -> Override {
     let impact = scene.method().impact;
     let law = impact.map_or_else(String::new, |law| format!(", impact = \"{}\"", names::impact(law)));
-    Override::new("judge", "method", &format!("{{ tier = \"accurate\"{law} }}"))
+    Override::new("judge", "method", format!("{{ tier = \"accurate\"{law} }}"))
 }
 
 /// How far bodies are from the truth at a sample.

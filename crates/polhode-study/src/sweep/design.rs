@@ -190,16 +190,15 @@ impl Design {
             let other = |draw: u64| drawn.draw(seed, draw, &format!("{}\n{OTHER}", own.key));
             match part {
                 Part::Step { key: stepped, step, is_up } if stepped == key => {
-                    let size = step_of(own).unwrap_or(0.0) / (1 << step) as f64;
+                    let size = step_of(own).unwrap_or(0.0) / f64::from(1 << step);
                     let middle: f64 = drawn.at(0.5).parse().unwrap_or(f64::NAN);
                     format!("{:?}", if is_up { middle + size } else { middle - size })
                 }
                 Part::Middle | Part::Step { .. } => own.values.middle(),
                 Part::Node(_) => drawn.nodes(self.nodes[key])[places[key]].value.clone(),
-                Part::Draw(draw) => drawn.draw(seed, draw, &own.key),
                 Part::Other(draw) => other(draw),
                 Part::Mixed { draw, key: mixed } if mixed == key => other(draw),
-                Part::Mixed { draw, .. } => drawn.draw(seed, draw, &own.key),
+                Part::Draw(draw) | Part::Mixed { draw, .. } => drawn.draw(seed, draw, &own.key),
             }
         };
         varied.iter().enumerate().map(value).collect()

@@ -123,7 +123,7 @@ impl<'a> Gathered<'a> {
             measures: (0..self.draws.len()).map(|number| self.of_measure(number)).collect(),
             largest_error: self.largest_error,
             reason: self.reason.clone(),
-            table_hash: hash.iter().map(|byte| format!("{byte:02x}")).collect(),
+            table_hash: hash.iter().fold(String::new(), |text, byte| text + &format!("{byte:02x}")),
         }
     }
 

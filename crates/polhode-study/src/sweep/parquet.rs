@@ -94,7 +94,7 @@ impl<'a> Parquet<'a> {
                 .zip(&kinds)
                 .map(|(own, whole)| {
                     let start = bytes.len();
-                    page(&mut bytes, &own.as_kind_of(whole), rows.len());
+                    page(&mut bytes, &own.of_kind_of(whole), rows.len());
                     [start, bytes.len() - start]
                 })
                 .collect();
@@ -214,7 +214,7 @@ impl Column {
     }
 
     /// The same as text, where the whole column is: one group may have numbers alone.
-    fn as_kind_of(self, whole: &Self) -> Self {
+    fn of_kind_of(self, whole: &Self) -> Self {
         match (self, whole) {
             (Self::Float(own), Self::Text(_)) => Self::Text(own.iter().map(|value| format!("{value:?}")).collect()),
             (own, _) => own,

@@ -209,7 +209,7 @@ pub(super) fn derivative(own: &Varied, steps: &[[[f64; 2]; 2]; STEPS]) -> Option
     let [[low, f_low], [high, f_high]] = steps[STEPS - 1];
     let rounding = f64::EPSILON * f_low.abs().max(f_high.abs()) / (high - low);
     let error = (value - fine).abs() + rounding;
-    (!value.is_nan()).then(|| Derivative { value, error, middle, by_deviation })
+    (!value.is_nan()).then_some(Derivative { value, error, middle, by_deviation })
 }
 
 impl Values {

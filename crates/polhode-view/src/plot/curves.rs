@@ -92,6 +92,7 @@ impl Curves {
 #[cfg(test)]
 mod tests {
     //! A figure names its axes and curves; what never acts is left out.
+    #![allow(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
     use super::*;
 
     #[test]
