@@ -106,6 +106,8 @@ impl Simulation {
         let mut core =
             Core { model, settings, effects, t, accounts, memory, executor, stated_depth_m, work, last_sample };
         let tier = engines::restored(&mut core, &content.tier)?;
+        // The steps that are made again have been counted.
+        core.accounts.step_errors = content.accounts.step_errors;
         // A scene with a longer duration goes on.
         let ended = content.ended && core.t >= self.scene.duration_s();
         let change = |change: &content::PlanChange| PlanChange {
