@@ -15,7 +15,7 @@ pub(crate) const SPREADS: &str = "normal, lognormal, uniform, interval or choice
 #[serde(deny_unknown_fields)]
 #[schemars(extend("oneOf" = json!([{ "required": ["key"] }, { "required": ["bodies"] }])))]
 pub struct UncertainEntry {
-    /// Dotted path of the key, as after `--set`: materials.steel.friction, bodies.box.position[2].
+    /// Dotted path of the key, as after `--set`: `materials.steel.friction`, `bodies.box.position[2]`.
     pub key: Option<String>,
     /// The normal distribution.
     pub normal: Option<NormalEntry>,

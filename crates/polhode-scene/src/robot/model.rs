@@ -244,7 +244,7 @@ pub struct RobotCoordinate {
 pub struct EffortLimit {
     /// Where it is given.
     pub place: RobotPlace,
-    /// What it is in the file, as in "`effort` of <limit>".
+    /// What it is in the file, as in "effort of the limit".
     pub what: &'static str,
     /// Its size, N m or N.
     pub most: f64,
