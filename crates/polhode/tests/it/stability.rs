@@ -208,10 +208,10 @@ fn margins_of_a_pyramid() {
     assert!((push(&found, DVec3::X) - 0.5).abs() < MARGIN);
 }
 
-/// A box beyond the edge of another one turns about that edge, whatever the friction: its points on the edge are at
-/// rest, and the others go down.
+/// A box beyond the edge of another one turns over that edge, whatever the friction: in the motion that is told no
+/// contact closes, and its weight goes down.
 #[test]
-fn what_nothing_holds_turns_about_an_edge() {
+fn what_nothing_holds_turns_over_an_edge() {
     let size = DVec3::new(1.0, 1.0, 0.5);
     let low = block("low", size, 5.0, DVec3::Z * 0.25).material(material("wood", 0.8));
     let high = block("high", size, 5.0, DVec3::new(0.6, 0.0, 0.75)).material(material("wood", 0.8));
@@ -220,6 +220,6 @@ fn what_nothing_holds_turns_about_an_edge() {
     let begins = found.friction.begins.first().unwrap();
     assert_eq!((begins.body.index(), begins.beginning), (2, Beginning::Tips));
     let at_edge = begins.velocity.at(DVec3::new(0.5, 0.0, 0.5) - DVec3::new(0.6, 0.0, 0.75));
-    assert!(at_edge.dot(DVec3::Z).abs() < 1e-5, "{at_edge}");
-    assert!(begins.velocity.linear.z < -0.1 && begins.velocity.angular.y > 0.1, "{:?}", begins.velocity);
+    assert!(at_edge.dot(DVec3::Z) > -1e-5, "{at_edge}");
+    assert!(begins.velocity.linear.z < 0.0 && begins.velocity.angular.y > 0.1, "{:?}", begins.velocity);
 }
