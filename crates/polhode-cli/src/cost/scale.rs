@@ -12,6 +12,7 @@ use crate::text::Table;
 use polhode::Scene;
 use polhode::scene::Tier;
 use polhode_scene::Override;
+use polhode_scene::csv::quoted;
 use polhode_study::candidate::{self, Axis, Candidate, change};
 use polhode_study::{Source, StudyError};
 use serde_json::{Value, json};
@@ -108,7 +109,7 @@ impl ScaleStudy {
                     let exponent = exponent.map_or_else(String::new, |exponent| format!("{exponent:?}"));
                     writeln!(text, "{method},{bodies},{seconds:?},{steps},{exponent},")
                 }
-                Err(reason) => writeln!(text, "{method},{bodies},,,,\"{}\"", reason.replace('"', "\"\"")),
+                Err(reason) => writeln!(text, "{method},{bodies},,,,{}", quoted(reason)),
             };
         }
         text

@@ -110,7 +110,8 @@ impl Accounts {
         }
     }
 
-    /// Notes the estimated error of a step under error control, in units of its tolerance.
+    /// Notes the estimated error of a step under error control, in units of its tolerance; of the steps that springs of
+    /// contacts take within one, the largest.
     pub(crate) fn note_step_error(&mut self, error: f64) {
         let worst = &mut self.certificate.max_step_error;
         *worst = Some(worst.unwrap_or(0.0).max(error));

@@ -2,8 +2,8 @@
 //! hundredth of a body.
 //!
 //! Two runs by one method begin with the run, and their starts differ by rounding: by that of the run with longer
-//! steps; under error control one of the two is the run itself. With `D(t)` the largest distance of
-//! the two so far, of the size of a body, a difference that was there at `s` has grown by
+//! steps; under error control, and in a full estimate, one of the two is the run itself. With `D(t)` the largest
+//! distance of the two so far, of the size of a body, a difference that was there at `s` has grown by
 //!
 //! `G(s, t) = D(t) / D(s)`
 //!
