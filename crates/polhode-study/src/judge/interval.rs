@@ -77,6 +77,10 @@ pub(super) struct Acted {
     pub(super) taken_j: [f64; 2],
     /// Whether what acts from outside may give energy.
     pub(super) is_driven: bool,
+    /// Energy of what is left of impulses within what is allowed, J.
+    pub(super) hidden_j: f64,
+    /// Bodies that may have struck others, at times of which samples say nothing.
+    pub(super) struck: Vec<BodyId>,
 }
 
 /// Two samples, and the middle between them.
@@ -179,13 +183,22 @@ impl<'a> Interval<'a> {
         own.is_some_and(|pair| pair.separation_m <= self.observer.touch_m(pair))
     }
 
-    /// Whether bodies that do not touch at both ends may strike each other between them.
+    /// Whether bodies may strike each other between the ends: those that do not touch at both, or touch at other places
+    /// than they could have slid or rolled to.
     fn may_strike(&self, meeting: &Meeting<'_>) -> bool {
         let [a, b] = meeting.ends.each_ref().map(|own| self.touches_at(*own));
         if a && b {
-            return false;
+            return meeting.ends[0].zip(meeting.ends[1]).is_some_and(|(a, b)| self.touches_elsewhere(a, b));
         }
         a || b || !self.is_still(meeting)
+    }
+
+    /// Whether a pair has more or fewer points at the second end, or points where none could have come to.
+    fn touches_elsewhere(&self, a: &NearPair, b: &NearPair) -> bool {
+        let speed: f64 = a.bodies.iter().map(|body| self.speeds(*body).into_iter().fold(0.0, f64::max)).sum();
+        let way = speed * self.length_s() + self.observer.touch_m(a);
+        let is_far = |(a, b): (&NearPoint, &NearPoint)| (a.point_m - b.point_m).length() > way;
+        a.points.len() != b.points.len() || a.points.iter().zip(&b.points).any(is_far)
     }
 
     /// Whether bodies stay apart: they could come no nearer by the speeds that they have.
@@ -249,14 +262,20 @@ impl<'a, 'b> Group<'a, 'b> {
         let about = if self.bend(About::Moving) <= self.bend(About::Middle) { About::Moving } else { About::Middle };
         let (needs, mut allowed) = self.needs(about);
         allowed += self.scale() * self.bend(about) * self.leverage();
-        let strikes = self.meetings.iter().any(|own| self.interval.may_strike(own));
+        let strikes = self.strikes();
         self.note_energy(acted);
+        if strikes {
+            acted.struck.extend_from_slice(self.bodies);
+        }
         let floating = self.meetings.iter().find(|own| !self.interval.touches(own) && self.interval.is_still(own));
         let mut verdict = Verdict::Explained;
         let limit = allowed + self.turned();
         let left = needs.left(&self.reactions(Asked::Coulomb, about), limit)?;
         let (most, mut worst) = left.largest(&needs);
         self.note_friction(acted, &left, about);
+        if most <= limit {
+            acted.hidden_j += self.energy_of(most);
+        }
         let mut beyond = most;
         if !strikes && most > limit {
             verdict = Verdict::Slides;
@@ -291,6 +310,15 @@ impl<'a, 'b> Group<'a, 'b> {
         let per_speed = self.states(worst)[1].mass_kg / self.interval.length_s();
         acted.groups.push(OfGroup { verdict, force_n: [beyond * per_speed, limit * per_speed], body, other });
         Ok(())
+    }
+
+    /// The energy that a change of velocity of each body by this may be (m/s), J.
+    fn energy_of(&self, change: f64) -> f64 {
+        let of = |(number, body): (usize, &BodyId)| {
+            let speed = self.interval.speeds(*body).into_iter().fold(0.0, f64::max);
+            self.states(number)[1].mass_kg * change * (speed + change)
+        };
+        self.bodies.iter().enumerate().map(of).sum()
     }
 
     fn states(&self, number: usize) -> [&'a MovableState; 2] {
@@ -453,10 +481,15 @@ impl<'a, 'b> Group<'a, 'b> {
     fn of_pair(&self, (asked, about): (Asked, About), (end, pair): (usize, &NearPair), all: &mut Vec<Reaction>) {
         let material = self.interval.observer.material(pair);
         let moves = |point: DVec3| -> Ends {
-            pair.bodies.map(|body| {
+            let mut ends = pair.bodies.map(|body| {
                 let number = self.bodies.binary_search(&body).ok()?;
                 Some((number, point - self.center(body, about, Some(self.states(number)[end]))?))
-            })
+            });
+            // A joint with the world has its contacts between its body and itself.
+            if pair.bodies[0] == pair.bodies[1] {
+                ends[1] = None;
+            }
+            ends
         };
         let resists = material.rolling_friction() > 0.0 || material.spinning_friction() > 0.0;
         for point in &pair.points {
@@ -500,11 +533,15 @@ impl<'a, 'b> Group<'a, 'b> {
         slip.length() > self.interval.observer.tolerance * (self.scale() + speed) + ROUNDING * speed + unknown
     }
 
+    /// Whether bodies of the group may strike each other between the ends.
+    fn strikes(&self) -> bool {
+        self.meetings.iter().any(|own| self.interval.may_strike(own))
+    }
+
     /// Whether contacts take or give energy that is not known.
     fn note_energy(&self, acted: &mut Acted) {
         let observer = self.interval.observer;
-        let strikes = self.meetings.iter().any(|own| self.interval.may_strike(own));
-        let is_unknown = strikes || self.has_unknown_joints();
+        let is_unknown = self.strikes() || self.has_unknown_joints();
         let pairs = || self.meetings.iter().filter(|own| self.interval.touches(own) || self.interval.may_strike(own));
         let losing = pairs().flat_map(|own| own.ends).flatten().any(|pair| {
             let material = observer.material(pair);
@@ -518,16 +555,18 @@ impl<'a, 'b> Group<'a, 'b> {
         if (is_unknown && losing) || resists {
             acted.taken_j[1] = f64::INFINITY;
         }
+        let held = || self.held.iter().flatten();
+        acted.is_driven |= observer.evaluation.has_prescribed_coordinates() && held().next().is_some();
         let bodies = pairs().flat_map(|own| own.ends).flatten().flat_map(|pair| pair.bodies);
-        acted.is_driven |= bodies.into_iter().any(|body| {
+        acted.is_driven |= bodies.chain(held().flat_map(|own| own.bodies)).any(|body| {
             let own = observer.scene.bodies().get(body.index());
             own.is_some_and(|own| own.motion().is_some() || own.velocity_of_surface() != DVec3::ZERO)
         });
     }
 
-    /// What friction takes.
+    /// What friction takes: at least something only where no strike is part of the impulses.
     fn note_friction(&self, acted: &mut Acted, left: &Left, about: About) {
-        let mut number = 0;
+        let (mut number, strikes) = (0, self.strikes());
         for meeting in self.meetings.iter().filter(|own| self.interval.touches(own)) {
             let all = meeting.ends.iter().flatten().flat_map(|own| &own.points).filter_map(|own| own.slip_m_s);
             let (least, most) = all.fold((f64::INFINITY, 0.0_f64), |(least, most), slip| {
@@ -543,7 +582,7 @@ impl<'a, 'b> Group<'a, 'b> {
                     let impulse = left.impulses.get(number).copied().unwrap_or(0.0);
                     number += 1;
                     if matches!(reaction, Reaction::Along { .. }) {
-                        acted.taken_j[0] += friction * impulse * least;
+                        acted.taken_j[0] += if strikes { 0.0 } else { friction * impulse * least };
                         acted.taken_j[1] += friction * impulse * most;
                     } else if most > 0.0 && matches!(reaction, Reaction::Cone { .. }) {
                         acted.taken_j[1] += friction * impulse * most;

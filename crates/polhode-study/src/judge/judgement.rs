@@ -246,7 +246,11 @@ impl<'a> Court<'a> {
                 self.add(Law::Penetration, AtTime { t_s, value: -pair.separation_m, limit, bodies, what: "" });
             }
         }
-        for own in &now.held {
+        // Whether a joint that may break has done so stands in no sample.
+        let joints = self.observer.scene.joints();
+        let may_break =
+            |own: &polhode::HeldState| own.joint.is_some_and(|joint| joints[joint.index()].strength().is_some());
+        for own in now.held.iter().filter(|own| !may_break(own)) {
             let states = || own.bodies.iter().filter_map(|body| now.movable.get(body.index())?.as_ref());
             let size = states().map(|own| own.size_m).fold(0.0, f64::max);
             let far = states().map(|own| own.center_m.length()).fold(size, f64::max);
@@ -291,7 +295,7 @@ impl<'a> Court<'a> {
             self.unknown += 1;
         } else {
             self.gained_j += excess;
-            self.hidden_j += hidden;
+            self.hidden_j += hidden + acted.hidden_j;
         }
         self.unsure_j[1] = unknown_j;
         if place == 1 {
@@ -302,7 +306,7 @@ impl<'a> Court<'a> {
         if self.observer.evaluation.is_of_samples() {
             self.add_groups(t_s, ends[1].t_s - ends[0].t_s, acted.groups);
         }
-        self.add_velocities(place, ends);
+        self.add_velocities(place, ends, &acted.struck);
         Ok(())
     }
 
@@ -352,8 +356,8 @@ impl<'a> Court<'a> {
         self.floating.note(floating, &mut self.findings);
     }
 
-    /// Velocities against the rates of poses.
-    fn add_velocities(&mut self, place: usize, ends: [&Observed; 2]) {
+    /// Velocities against the rates of poses, but those of bodies that may have struck others between the samples.
+    fn add_velocities(&mut self, place: usize, ends: [&Observed; 2], struck: &[BodyId]) {
         let given = self.observer.given;
         if given.velocities == VelocitySource::Differences {
             return;
@@ -361,6 +365,9 @@ impl<'a> Court<'a> {
         let h = ends[1].t_s - ends[0].t_s;
         for (number, (a, b)) in ends[0].movable.iter().zip(&ends[1].movable).enumerate() {
             let (Some(a), Some(b)) = (a, b) else { continue };
+            if struck.contains(&BodyId::new(number)) {
+                continue;
+            }
             let rate = (b.center_m - a.center_m) / h;
             let off = (rate - (a.velocity.linear + b.velocity.linear) * 0.5).length();
             let rows = place.saturating_sub(2)..(place + 2).min(given.samples.len());

@@ -123,16 +123,21 @@ impl Observer<'_> {
     }
 }
 
-/// The state in the middle of an interval of this length (s).
+/// The state in the middle of an interval of this length (s), by cubic polynomials through places and velocities of both
+/// ends; rotations by their rotation vector `r` from the first end, `r' = w - r x w/2 + r x (r x w)/12` and back
+/// `w = r' + r x r'/2 + r x (r x r')/6`.
 fn between(a: &BodySample, b: &BodySample, h: f64, center: DVec3) -> BodySample {
     let [from, to] = [a, b].map(|own| own.pose.transform_point(center));
     let linear = (from + to) * 0.5 + (a.velocity.linear - b.velocity.linear) * (h / 8.0);
     let turn = (b.pose.rotation * a.pose.rotation.inverse()).to_rotation_vector();
-    let half = turn * 0.5 + (a.velocity.angular - b.velocity.angular) * (h / 8.0);
+    let w = b.velocity.angular;
+    let rates = [a.velocity.angular, w - turn.cross(w) * 0.5 + turn.cross(turn.cross(w)) / 12.0];
+    let half = turn * 0.5 + (rates[0] - rates[1]) * (h / 8.0);
     let rotation = Rotation::from_rotation_vector(half) * a.pose.rotation;
+    let rate = turn * (1.5 / h) - (rates[0] + rates[1]) * 0.25;
     let velocity = Velocity {
         linear: (to - from) * (1.5 / h) - (a.velocity.linear + b.velocity.linear) * 0.25,
-        angular: turn * (1.5 / h) - (a.velocity.angular + b.velocity.angular) * 0.25,
+        angular: rate + half.cross(rate) * 0.5 + half.cross(half.cross(rate)) / 6.0,
     };
     BodySample { pose: Pose::new(rotation, linear - rotation.rotate(center)), velocity }
 }

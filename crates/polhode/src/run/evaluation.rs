@@ -148,6 +148,11 @@ impl Evaluation {
         self.model.shown() == self.model.bodies.len()
     }
 
+    /// Whether a prescribed motion of a joint acts, which may give any energy.
+    pub fn has_prescribed_coordinates(&self) -> bool {
+        self.model.bodies.iter().skip(self.model.shown()).any(|body| body.trajectory.is_some())
+    }
+
     /// Takes these states at `t_s` (s), in the order of the scene; kinematic bodies are where their motion has them.
     ///
     /// # Errors
@@ -162,6 +167,13 @@ impl Evaluation {
                 (None, Some(trajectory)) => prescribed_state::state_at(trajectory, t_s),
                 (None, None) => BodyState::at_rest(pose),
             };
+        }
+        // Carriages of prescribed coordinates stand in no sample.
+        let shown = self.model.shown();
+        for (body, state) in self.model.bodies.iter().zip(&mut self.states).skip(shown) {
+            if let Some(trajectory) = &body.trajectory {
+                *state = prescribed_state::state_at(trajectory, t_s);
+            }
         }
         Ok(count_all_turns(&mut self.model, &self.states)?)
     }
