@@ -143,7 +143,7 @@ impl<'a> Interval<'a> {
     }
 
     /// Bodies that act on each other, or may.
-    fn groups(&self, meetings: &BTreeMap<[BodyId; 2], Meeting<'_>>) -> Vec<Vec<BodyId>> {
+    fn groups(&self, meetings: &BTreeMap<[BodyId; 2], Meeting<'a>>) -> Vec<Vec<BodyId>> {
         let count = self.ends[0].movable.len();
         let mut parent: Vec<usize> = (0..count).collect();
         let root = |parent: &[usize], mut own: usize| {
@@ -185,7 +185,7 @@ impl<'a> Interval<'a> {
 
     /// Whether bodies may strike each other between the ends: those that do not touch at both, or touch at other places
     /// than they could have slid or rolled to.
-    fn may_strike(&self, meeting: &Meeting<'_>) -> bool {
+    fn may_strike(&self, meeting: &Meeting<'a>) -> bool {
         let [a, b] = meeting.ends.each_ref().map(|own| self.touches_at(*own));
         if a && b {
             return meeting.ends[0].zip(meeting.ends[1]).is_some_and(|(a, b)| self.touches_elsewhere(a, b));
@@ -193,12 +193,18 @@ impl<'a> Interval<'a> {
         a || b || !self.is_still(meeting)
     }
 
-    /// Whether a pair has more or fewer points at the second end, or points where none could have come to.
-    fn touches_elsewhere(&self, a: &NearPair, b: &NearPair) -> bool {
+    /// Whether a pair has more or fewer points at the second end, or points or normals that none could have come to.
+    fn touches_elsewhere(&self, a: &'a NearPair, b: &'a NearPair) -> bool {
         let speed: f64 = a.bodies.iter().map(|body| self.speeds(*body).into_iter().fold(0.0, f64::max)).sum();
         let way = speed * self.length_s() + self.observer.touch_m(a);
-        let is_far = |(a, b): (&NearPoint, &NearPoint)| (a.point_m - b.point_m).length() > way;
-        a.points.len() != b.points.len() || a.points.iter().zip(&b.points).any(is_far)
+        let is_far = |(one, other): (&NearPoint, &NearPoint)| {
+            (one.point_m - other.point_m).length() > way || (one.normal - other.normal).length() * a.size_m > way
+        };
+        let touching = |pair: &'a NearPair| -> Vec<&'a NearPoint> {
+            pair.points.iter().filter(|own| own.separation_m <= self.observer.touch_m(pair)).collect()
+        };
+        let (first, second) = (touching(a), touching(b));
+        first.len() != second.len() || first.into_iter().zip(second).any(is_far)
     }
 
     /// Whether bodies stay apart: they could come no nearer by the speeds that they have.
@@ -498,9 +504,11 @@ impl<'a, 'b> Group<'a, 'b> {
                 all.extend(any_wrench(ends, Kind::All));
                 continue;
             };
-            let friction = material.static_friction().max(material.friction());
+            // Friction along and across a grain is held against the larger of both.
+            let ellipses = [material.static_ellipse(), material.friction_ellipse()];
+            let friction = ellipses.into_iter().flat_map(|own| [own.along, own.across]).fold(0.0, f64::max);
             all.push(match asked {
-                Asked::Coulomb if self.slides(pair, slip) => {
+                Asked::Coulomb if material.grain_direction().is_none() && self.slides(pair, slip) => {
                     let direction = normal - slip.normalize_or_zero() * material.friction();
                     Reaction::Along { ends, direction }
                 }
@@ -550,7 +558,8 @@ impl<'a, 'b> Group<'a, 'b> {
         });
         let resists = pairs().flat_map(|own| own.ends).flatten().any(|pair| {
             let material = observer.material(pair);
-            material.rolling_friction() > 0.0 || material.spinning_friction() > 0.0
+            let of_rotation = material.rolling_friction() > 0.0 || material.spinning_friction() > 0.0;
+            of_rotation || material.grain_direction().is_some()
         });
         if (is_unknown && losing) || resists {
             acted.taken_j[1] = f64::INFINITY;
