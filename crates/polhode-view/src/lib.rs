@@ -14,6 +14,7 @@
 //! | [`event_list`], [`series`] | events in words, and quantities over time |
 //! | `error_steps` | estimated errors over time |
 //! | [`page`] | the page writer, which streams while the run goes on |
+//! | [`live`], [`play_page`] | a page that runs a scene itself |
 //! | [`recording`] | poses over time, for pictures and models |
 //! | [`camera`], [`light`], [`raster`] | a software rasteriser with depth, light, shadow and anti-aliasing |
 //! | [`still`], [`animation`] | PNG; GIF, APNG and WebP |
@@ -31,8 +32,10 @@ pub mod error;
 pub mod event_list;
 pub mod glb;
 pub mod light;
+pub mod live;
 pub mod mesh_library;
 pub mod page;
+pub mod play_page;
 pub mod plot;
 pub mod quanta;
 pub mod raster;

@@ -16,7 +16,7 @@ use crate::shown_scene::{JointEnd, ShownBody, ShownJoint, ShownScene};
 use crate::surface_mesh::SurfaceMesh;
 use crate::text;
 use crate::thinning::Thinning;
-use polhode::spatial::DVec3;
+use polhode::spatial::{DVec3, Pose};
 use polhode::{BodyError, BodySample, Event, Flow, Frame, MotionKind, Observer, Scene};
 use serde_json::{Value, json};
 use std::io::Write;
@@ -26,7 +26,7 @@ const ELEMENTS: &str = include_str!("../viewer/page.html");
 const VIEWER: &str = include_str!("../viewer/dist/viewer.js");
 
 /// The version of what the viewer reads.
-const VERSION: u32 = 1;
+pub(crate) const VERSION: u32 = 1;
 /// Frames of a run at the most: more frequent samples are thinned out, but for the last one.
 pub const MOST_FRAMES: f64 = 10_000.0;
 
@@ -255,7 +255,7 @@ impl<W: Write> PageRun<W> {
             return Err(ViewError::NotFinite { t_s: t, body: self.shown.bodies[body].name.clone() });
         }
         if self.times.is_empty() {
-            self.initial = bodies.iter().map(pose_json).collect();
+            self.initial = bodies.iter().map(|sample| pose_json(&sample.pose)).collect();
         }
         self.times.push(t);
         let details = frame.map(|frame| details(frame, &self.shown.moving, self.quanta));
@@ -347,12 +347,12 @@ fn details(frame: &Frame, moving: &[usize], quanta: Quanta) -> ChunkDetails {
     }
 }
 
-fn pose_json(sample: &BodySample) -> Value {
-    let (p, [w, x, y, z]) = (sample.pose.translation, sample.pose.rotation.to_wxyz());
+pub(crate) fn pose_json(pose: &Pose) -> Value {
+    let (p, [w, x, y, z]) = (pose.translation, pose.rotation.to_wxyz());
     json!([p.x, p.y, p.z, w, x, y, z])
 }
 
-fn mesh_json(mesh: &SurfaceMesh) -> Value {
+pub(crate) fn mesh_json(mesh: &SurfaceMesh) -> Value {
     let numbers = |vectors: &[DVec3]| {
         let flat: Vec<f64> = vectors.iter().flat_map(DVec3::to_array).collect();
         text::base64_f32(flat.into_iter())
@@ -365,12 +365,12 @@ fn mesh_json(mesh: &SurfaceMesh) -> Value {
     })
 }
 
-fn joint_json(joint: &ShownJoint) -> Value {
+pub(crate) fn joint_json(joint: &ShownJoint) -> Value {
     let ends = joint.ends.map(|JointEnd { body, point }| json!({ "body": body, "point": point.to_array() }));
     json!({ "link": joint.is_link, "ends": ends })
 }
 
-fn body_json(body: &ShownBody) -> Value {
+pub(crate) fn body_json(body: &ShownBody) -> Value {
     let parts = body.shape.parts.iter().map(|part| {
         json!({
             "mesh": part.mesh,

@@ -8,6 +8,7 @@
 //! (1 + h (c + h k) K) F = -k x - (c + h k) v,   K = 1/m + [r]^T I^-1 [r]
 //! ```
 //!
+//! A body that hangs at rest stretches it by `g (1/w + h)^2` (m), g: gravity (m/s^2).
 //! K: the inverse mass of the point (1/kg), r: from the centre of mass to it (m), I: inertia about the centre of mass
 //! (kg m^2). Source: Catto, Soft Constraints, Game Developers Conference 2011.
 

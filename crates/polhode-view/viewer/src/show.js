@@ -46,6 +46,13 @@ export function readShow(notices) {
   };
 }
 
+/** Reads a scene that is not in the page from its start, and has no frames. */
+export function readScene(show) {
+  const meshes = show.meshes.map(readMesh);
+  const run = readRun(show.runs[0], 0, meshes.length, []);
+  return { title: show.title, description: show.description, gravity: show.gravity, meshes, runs: [run] };
+}
+
 /** The text of the JSON report, or null where the page has none. */
 export function reportText() {
   const text = blockText('polhode-report')?.trim();
