@@ -225,7 +225,10 @@ export class Playground {
       const { show, surface } = await this.loading;
       if (number !== this.runs) return;
       this.showScene(show, surface, native);
-      if (edited) this.putIntoAddress(text);
+      if (edited) {
+        this.playing = true;
+        this.putIntoAddress(text);
+      }
       await this.runCopies(text, number);
     } catch (error) {
       if (number === this.runs) this.refuse(error);
