@@ -70,14 +70,15 @@ export class Editor {
   /** Shows what is refused: places in the text, or words alone. */
   refuse(message, places) {
     this.marks = new Map(places.map(({ line, words }) => [line, words]));
-    const rows = places.map(({ line, column, words }) => {
+    const rows = places.map(({ line, column, key, words }) => {
       const row = document.createElement('button');
       row.type = 'button';
-      row.textContent = `line ${line}: ${words}`;
+      row.textContent = `line ${line}: ${key ? `${key}: ` : ''}${words}`;
       row.addEventListener('click', () => this.goTo(line, column));
       return row;
     });
-    if (rows.length === 0) {
+    // The whole message shows the lines, and says what is accepted.
+    if (rows.length < 2) {
       const row = document.createElement('p');
       row.textContent = message;
       rows.push(row);
