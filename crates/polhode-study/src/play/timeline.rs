@@ -76,7 +76,7 @@ impl Timeline {
 
     /// Whether a snapshot is due before the next step.
     pub(super) fn wants_snapshot(&self) -> bool {
-        self.steps() % self.stride == 0 && self.kept.last().is_none_or(|kept| kept.step < self.steps())
+        self.steps().is_multiple_of(self.stride) && self.kept.last().is_none_or(|kept| kept.step < self.steps())
     }
 
     /// Keeps a state before a step.
@@ -84,7 +84,7 @@ impl Timeline {
         if self.kept.len() >= MOST_SNAPSHOTS {
             self.stride *= 2;
             let stride = self.stride;
-            self.kept.retain(|kept| kept.step % stride == 0);
+            self.kept.retain(|kept| kept.step.is_multiple_of(stride));
         }
         self.kept.push(kept);
     }
