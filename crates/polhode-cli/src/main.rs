@@ -80,6 +80,7 @@ mod mesh;
 mod mesh_args;
 mod pictures;
 mod plan;
+mod play;
 mod plots;
 mod progress;
 mod quantity_plots;
@@ -141,6 +142,7 @@ fn called(command: &Command, interrupt: &Interrupt) -> Result<(), Failure> {
         Command::Schema => schema(),
         Command::Compare(args) => compare::compare(args, interrupt),
         Command::View(args) => view::view(args, interrupt),
+        Command::Play(args) => play::play(args, interrupt),
         Command::New(args) => examples::new(args),
         Command::Scenes => examples::scenes(),
         Command::Completions(args) => completions(args.shell),
