@@ -2,7 +2,7 @@
 
 use crate::fault::thrown;
 use crate::files::Files;
-use polhode::spatial::DVec3;
+use polhode::spatial::{DVec3, MassProperties};
 use polhode_scene::Override;
 use polhode_study::play::{self, PlayError};
 use polhode_view::live;
@@ -129,7 +129,7 @@ impl Playground {
     pub fn push(&mut self, body: usize, point: &[f64], speed: &[f64]) -> Result<(), JsValue> {
         self.doing(|own| {
             let mass =
-                own.scene().bodies().get(body).and_then(polhode::Body::mass_properties).map_or(1.0, |m| m.mass());
+                own.scene().bodies().get(body).and_then(polhode::Body::mass_properties).map_or(1.0, MassProperties::mass);
             own.push(body, vector(point), vector(speed) * mass)
         })
     }
