@@ -60,9 +60,9 @@ impl LoadedScene {
         }
         let mut first = self.file.joints.len();
         for robot in &self.robots {
-            for (name, joint, _) in &robot.joint_names {
-                if let Some(own) = names.get_mut(first + joint) {
-                    name.clone_into(own);
+            for named in &robot.joint_names {
+                if let Some(own) = names.get_mut(first + named.joint) {
+                    named.name.clone_into(own);
                 }
             }
             first += robot.joints.len();
@@ -196,7 +196,7 @@ fn uncertain_of(document: &Document, file: &SceneFile) -> Result<Vec<Uncertain>,
     }
     let all = build::uncertain(file, &|key| document.number(key)).map_err(|faults| document.refuse_all(faults))?;
     let middle = |own: &Uncertain| match own {
-        Uncertain::Key { key, spread } => Some(Override::new("uncertain", key, spread.middle())),
+        Uncertain::Key { key, drawn } => Some(Override::new("uncertain", key, drawn.middle())),
         Uncertain::Poses { .. } => None,
     };
     let changes: Vec<(usize, Override)> =

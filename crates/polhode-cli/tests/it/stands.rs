@@ -75,7 +75,9 @@ fn the_least_thickness_of_an_arch() {
     assert!((limit - 0.107_347_744).abs() < 1e-6, "{found}");
     assert!(found["stands_at"].as_f64().unwrap() > found["falls_at"].as_f64().unwrap());
     let run = place.expect(1, &["stands", "arch.toml", "--picture", "arch.svg", "--json"]).json();
-    assert!(run["mechanism"]["begins"] == "now" && !run["mechanism"]["bodies"].as_array().unwrap().is_empty());
+    // It falls by itself about as few joints of its 21: one at the crown, two at the haunches, two at the feet.
+    assert!(run["mechanism"]["begins"] == "now", "{}", run["mechanism"]);
+    assert!((4..=6).contains(&run["mechanism"]["hinges"].as_array().unwrap().len()), "{}", run["mechanism"]);
     let thicker = ["stands", "arch.toml", "--set", "arrays.stone.layout.arch.thickness=0.115"];
     let run = place.expect(0, &[&thicker[..], &["--picture", "arch.svg", "--json"]].concat()).json();
     assert_eq!(run["mechanism"]["hinges"].as_array().unwrap().len(), 4, "{}", run["mechanism"]);

@@ -10,7 +10,7 @@ import os
 from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from . import _polhode
+from . import _polhode, _toml
 from ._scene import Scene, load
 
 if TYPE_CHECKING:
@@ -66,6 +66,40 @@ def stands(scene: SceneLike) -> Standing:
     push, weakest = min(margins, key=lambda margin: margin[0], default=(math.inf, None))
     tilt = math.nan if weakest is None or weakest["tilt_rad"] is None else weakest["tilt_rad"]
     return Standing(True, needed, push, tilt, first, how, report)
+
+
+class StandingLimit(NamedTuple):
+    """Up to which value of a key a scene stands."""
+
+    #: The key.
+    key: str
+    #: The limit: the middle of both values below, or the last whole number with which it stands.
+    limit: float
+    #: The value nearest to the limit with which it stands.
+    stands: float
+    #: The value nearest to it with which it does not.
+    falls: float
+    #: How many scenes were asked.
+    asked: int
+
+
+def standing_limit(scene: SceneLike, key: str, low: float, high: float, *, digits: int = 6) -> StandingLimit:
+    """Up to which value of a key a scene stands, between one with which it does and one with which it does not.
+
+    The interval is halved until both ends agree to so many ``digits``. Where the scene stands again farther on, one of
+    its limits is found. Of a key of whole numbers, such as a count, it is the last one with which it stands.
+
+    >>> import polhode as ph
+    >>> scene = ph.Scene()
+    >>> floor = scene.fixed(ph.HalfSpace(), friction=0.5)
+    >>> low = scene.add(ph.Box(1, 1, 1), name="low", mass=1.0, at=(0, 0, 0.5), friction=0.5)
+    >>> high = scene.add(ph.Box(1, 1, 1), name="high", mass=1.0, at=(0, 0, 1.5), friction=0.5)
+    >>> round(ph.standing_limit(scene, "bodies.high.position[0]", 0, 1).limit, 5)
+    0.5
+    """
+    interval = f"{_toml.path(key)}={low!r}..{high!r}"
+    found = json.loads(_polhode.standing_limit(load(scene, {}), interval, digits))
+    return StandingLimit(key, found["limit"], found["stands_at"], found["falls_at"], found["asked"])
 
 
 def boxes(table: Any, *, friction: float = 0.5, gravity: float = 9.81) -> Scene:

@@ -174,10 +174,7 @@ pub(crate) fn path_of(error: &SceneError, file: &SceneFile, robots: &[PlacedRobo
         | SceneError::OffTrack { number, .. }
         | SceneError::JointTurns { number, .. } => match number.checked_sub(file.joints.len()) {
             None => KeyPath::element("joints", *number),
-            Some(later) => {
-                let robot = model::of_joint(later, robots);
-                robot.map_or_else(KeyPath::root, |robot| KeyPath::element("models", robot))
-            }
+            Some(later) => model::path_of_joint(later, robots).unwrap_or_else(KeyPath::root),
         },
         SceneError::ReducedCoordinates { .. } => KeyPath::of(&["method", "coordinates"]),
         SceneError::FrictionInTier { .. } | SceneError::JointsInTier { .. } => KeyPath::of(&["method", "tier"]),

@@ -64,10 +64,9 @@ pub struct Mechanism {
 }
 
 impl Mechanism {
-    /// The motion that begins now, of bodies at rest with these margins and contacts, which nothing holds. None where
-    /// the analysis has none.
-    pub(super) fn now(scene: &Scene, stability: &Stability, contacts: &[ContactView]) -> Option<Self> {
-        Self::of(scene, Begins::Now, &stability.friction.begins, contacts)
+    /// The motion of bodies that nothing holds, which touched like this before it. None where none moves.
+    pub(super) fn now(scene: &Scene, bodies: &[MovingBody], contacts: &[ContactView]) -> Option<Self> {
+        Self::of(scene, Begins::Now, bodies, contacts)
     }
 
     /// That which begins at the least push of bodies that are held.
