@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import csv
 import io
 import json
 import math
@@ -126,6 +125,8 @@ def boxes(table: Any, *, friction: float = 0.5, gravity: float = 9.81) -> Scene:
 
 def _text(table: Any) -> tuple[str, str | None]:
     """A table as CSV, and the file that it is from."""
+    import csv
+
     if isinstance(table, (str, os.PathLike)):
         with open(table, newline="", encoding="utf-8") as file:
             return file.read(), os.fspath(table)
