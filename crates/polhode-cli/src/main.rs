@@ -76,6 +76,7 @@ mod inputs;
 mod interrupt;
 mod judge;
 mod meant;
+mod mechanism_figure;
 mod mesh;
 mod mesh_args;
 mod pictures;

@@ -5,8 +5,9 @@ use crate::drawing::Drawing;
 use crate::failure::{self, Failure};
 use crate::heading::Heading;
 use crate::interrupt::Interrupt;
-use polhode::{BodyError, BodySample, Event, Flow, Frame, Observer, Scene};
-use polhode_scene::AtomicFile;
+use crate::mechanism_figure;
+use polhode::{BodyError, BodySample, Event, Flow, Frame, Observer, Scene, Simulation};
+use polhode_scene::{AtomicFile, LoadedScene};
 use polhode_view::animation::{FPS, Pace, Watcher, write_apng, write_gif, write_webp};
 use polhode_view::camera::Viewpoint;
 use polhode_view::glb::write_glb;
@@ -141,6 +142,17 @@ impl Pictures {
             self.recording = Some(self.recording_of(scene).map_err(|error| failure(file.target(), error))?);
         }
         Ok(())
+    }
+
+    /// Looks at a simulation before it begins: pages show what of its bodies at rest would move first.
+    pub(crate) fn begin_simulation(&mut self, loaded: &LoadedScene, simulation: &Simulation) {
+        let is_first = self.page_runs.iter().all(|(_, run)| run.is_first());
+        if self.page_runs.is_empty() || !is_first {
+            return;
+        }
+        if let Some(figure) = mechanism_figure::at_start(loaded, simulation) {
+            self.page_runs.iter_mut().for_each(|(_, run)| run.show_mechanism(&figure.caption, &figure.svg));
+        }
     }
 
     /// Takes a recording that has ended for the motion of the scene.

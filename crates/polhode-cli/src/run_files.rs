@@ -94,6 +94,7 @@ impl RunFiles {
     /// Begins at the present time of a simulation.
     pub(crate) fn begin(&mut self, loaded: &LoadedScene, simulation: &Simulation) {
         self.plots.begin(loaded, simulation);
+        self.pictures.begin_simulation(loaded, simulation);
     }
 
     /// All who are told of the run.

@@ -203,6 +203,7 @@ fn show(
         Motion::Simulated => {
             pictures.begin_run(&run.loaded.scene, &run.name, FrameSource::Simulation)?;
             let mut simulation = scene::prepare(&run.loaded, &args.changes)?;
+            pictures.begin_simulation(&run.loaded, &simulation);
             let mut bar = Progress::new("simulating");
             bar.run(0.0, run.loaded.scene.duration_s());
             interrupt.wait_for_steps();

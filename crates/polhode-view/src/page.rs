@@ -59,6 +59,8 @@ pub struct Page<W> {
     meshes: MeshLibrary,
     runs: Vec<Value>,
     at_first: AtFirst,
+    /// What would move first, as HTML.
+    mechanism: Option<String>,
 }
 
 impl<W: Write> Page<W> {
@@ -83,6 +85,7 @@ impl<W: Write> Page<W> {
             meshes: MeshLibrary::default(),
             runs: Vec::new(),
             at_first: AtFirst::default(),
+            mechanism: None,
         })
     }
 
@@ -141,6 +144,9 @@ impl<W: Write> Page<W> {
             "meshes": self.meshes.meshes().iter().map(mesh_json).collect::<Vec<_>>(),
             "runs": self.runs,
         });
+        if let Some(figure) = &self.mechanism {
+            writeln!(self.out, "<template id=\"polhode-mechanism\">{figure}</template>")?;
+        }
         for (id, value) in [("polhode-show", &show), ("polhode-report", report)] {
             let json = text::json_in_html(&value.to_string());
             writeln!(self.out, "<script id=\"{id}\" type=\"application/json\">{json}</script>")?;
@@ -172,6 +178,18 @@ pub struct PageRun<W> {
     errors: ErrorSteps,
     events: EventList,
     fault: Option<ViewError>,
+}
+
+impl<W> PageRun<W> {
+    /// Whether it is the first run of its page.
+    pub fn is_first(&self) -> bool {
+        self.page.runs.is_empty()
+    }
+
+    /// Shows what of its bodies at rest would move first: a figure as SVG, below a line that says it.
+    pub fn show_mechanism(&mut self, caption: &str, figure: &str) {
+        self.page.mechanism = Some(format!("<p>{}</p>{figure}", text::html(caption)));
+    }
 }
 
 impl<W: Write> PageRun<W> {

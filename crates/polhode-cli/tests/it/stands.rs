@@ -113,3 +113,14 @@ fn a_table_of_boxes_is_no_trajectory() {
     place.write("two.csv", &two(0.1));
     place.expect(0, &["view", "two.csv", "--set", "duration=0.1", "-o", "two.html"]);
 }
+
+/// The page of a run that begins with bodies at rest shows what the least push would move.
+#[test]
+fn pages_show_what_would_move_first() {
+    let place = Place::new();
+    place.write("two.csv", &two(0.1));
+    place.expect(0, &["run", "two.csv", "--duration", "0.1", "-o", "two.html"]);
+    let page = place.read("two.html");
+    let figure = page.split("<template id=\"polhode-mechanism\">").nth(1).unwrap();
+    assert!(figure.starts_with("<p>what begins at a push of") && figure.contains("<svg"), "{}", &figure[..200]);
+}

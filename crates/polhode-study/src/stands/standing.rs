@@ -1,7 +1,7 @@
 //! The answer for one scene.
 
 use super::error::StandsError;
-use super::mechanism::Mechanism;
+use super::mechanism::{Mechanism, mechanism_at_push};
 use crate::sweep::LoadAnywhere;
 use crate::threads::Threads;
 use polhode::stability::{Beginning, FrictionMargin};
@@ -134,7 +134,7 @@ fn found(loaded: &LoadedScene) -> Result<Standing, SimulationError> {
     let mechanism = match (&moving[..], is_held(&stability.friction)) {
         // Where statics has many motions, the first step has the one that begins.
         ([_, ..], _) => Mechanism::now(&loaded.scene, &simulation.moving_bodies(), &touching),
-        ([], true) => Mechanism::at_push(&loaded.scene, &stability, &touching),
+        ([], true) => mechanism_at_push(&loaded.scene, &stability, &touching),
         ([], false) => Mechanism::now(&loaded.scene, &stability.friction.begins, &touching),
     };
     Ok(Standing { stability, contacts: simulation.contacts(), moving, mechanism })
