@@ -86,6 +86,7 @@ mod quantity_plots;
 mod run;
 mod run_files;
 mod scene;
+mod scene_groups;
 mod second_opinion;
 mod stands;
 mod stdout;

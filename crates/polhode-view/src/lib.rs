@@ -15,12 +15,16 @@
 //! | `error_steps` | estimated errors over time |
 //! | [`page`] | the page writer, which streams while the run goes on |
 //! | [`recording`] | poses over time, for pictures and models |
+//! | [`extent`], [`framing`], `planar` | what a picture holds, and whence it is best seen |
+//! | [`fixtures`] | what is drawn of joints, springs and tracks |
+//! | [`overlay`], `annotations` | velocities, forces and paths over a picture; axes, a scale and words on it |
 //! | [`camera`], [`light`], [`raster`] | a software rasteriser with depth, light, shadow and anti-aliasing |
 //! | [`still`], [`animation`] | PNG; GIF, APNG and WebP |
 //! | [`glb`] | animated models as binary glTF |
 //! | [`plot`] | figures as SVG |
 //! | [`error`] | [`ViewError`] |
-//! | `colors` | colours of bodies in pictures and models |
+//! | `colors` | colours of pictures, models and pages |
+//! | `lengths` | numbers and lengths in few letters |
 //! | `text` | data as text inside a page |
 //! | `thinning` | leaving out samples that come too often |
 
@@ -29,9 +33,13 @@ pub mod camera;
 pub mod chunk;
 pub mod error;
 pub mod event_list;
+pub mod extent;
+pub mod fixtures;
+pub mod framing;
 pub mod glb;
 pub mod light;
 pub mod mesh_library;
+pub mod overlay;
 pub mod page;
 pub mod plot;
 pub mod quanta;
@@ -43,9 +51,12 @@ pub mod still;
 pub mod surface_mesh;
 pub mod tessellation;
 
+mod annotations;
 mod colors;
 mod error_steps;
+mod lengths;
 mod penetration;
+mod planar;
 mod text;
 mod thinning;
 mod turning;

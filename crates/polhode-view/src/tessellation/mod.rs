@@ -21,6 +21,7 @@ pub mod polyhedron;
 pub mod revolution;
 pub mod round;
 pub mod triangles;
+pub mod tube;
 
 pub use detail::Detail;
 pub use part::Part;
