@@ -12,6 +12,8 @@ use polhode::spatial::{DVec3, Pose};
 /// and a peg are.
 const LARGEST_STANDING: f64 = 4.0;
 
+/// A body whose path is longer than this many times its size is lost in a picture of the path.
+const LOST: f64 = 60.0;
 /// Bodies times frames that are looked at to find how far a motion reaches, and the most and fewest frames.
 const CELLS_LOOKED_AT: usize = 50_000;
 const FRAMES_LOOKED_AT: [usize; 2] = [4, 200];
@@ -42,7 +44,10 @@ impl Framing {
         if let Some(frame) = shown.frame {
             return Self { moving: Extent::new(), standing: Extent::of(box_corners(frame)), viewpoint };
         }
-        let standing = standing(shown, &moving, poses);
+        let mut standing = standing(shown, &moving, poses);
+        if is_lost(shown, &moving) {
+            shown.centers.iter().for_each(|&center| standing.add(center));
+        }
         Self { moving, standing, viewpoint }
     }
 
@@ -69,6 +74,12 @@ impl Framing {
             Viewpoint { standpoint: asked.standpoint.or(self.viewpoint.standpoint), target: asked.target.or(own) };
         viewpoint.camera(&self.extent(), width_over_height)
     }
+}
+
+/// Whether the bodies that move are too small to be seen where all of their motion is.
+pub(crate) fn is_lost(shown: &ShownScene, moving: &Extent) -> bool {
+    let largest = shown.moving.iter().map(|&body| shown.bodies[body].size_m()).fold(0.0, f64::max);
+    largest > 0.0 && moving.size_m() > LOST * largest
 }
 
 /// What is held of all that stands.

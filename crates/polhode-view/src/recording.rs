@@ -2,7 +2,7 @@
 
 use crate::error::ViewError;
 use crate::extent::Extent;
-use crate::framing::{Framing, add_moving, frames_looked_at};
+use crate::framing::{Framing, add_moving, frames_looked_at, is_lost};
 use crate::mesh_library::MeshLibrary;
 use crate::overlay::Touch;
 use crate::shown_scene::ShownScene;
@@ -16,8 +16,6 @@ use polhode::{BodySample, Flow, Frame, Observer, Scene};
 pub const MOST_PATHS: usize = 64;
 /// Frames of the path that leads to a still.
 const PATH_FRAMES: f64 = 1000.0;
-/// A body whose path is longer than this many times its size is lost in a picture of the path.
-const LOST: f64 = 60.0;
 
 /// What is kept of forces.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -246,17 +244,10 @@ impl Recording {
     /// path that they have come, that path and what attracts them.
     pub fn framing_at(&self, frame: usize) -> Framing {
         let along = self.framing_of(0..frame + 1);
-        if self.shown.frame.is_some() || self.is_lost_in(&along) {
+        if self.shown.frame.is_some() || is_lost(&self.shown, &along.moving) {
             return along;
         }
         self.framing_of(frame..frame + 1)
-    }
-
-    /// Whether the bodies that move are too small to be seen where all of their motion is.
-    fn is_lost_in(&self, along: &Framing) -> bool {
-        let sizes = self.shown.moving.iter().map(|&body| self.shown.bodies[body].size_m());
-        let largest = sizes.fold(0.0, f64::max);
-        largest > 0.0 && along.moving.size_m() > LOST * largest
     }
 
     /// What a camera holds in a range of frames.
@@ -268,13 +259,7 @@ impl Recording {
         for frame in frames.step_by(stride).chain(last) {
             add_moving(&mut moving, &self.shown, self.poses[frame].iter());
         }
-        let framing = Framing::new(&self.shown, moving, &self.initial);
-        if self.shown.centers.is_empty() || self.shown.frame.is_some() || !self.is_lost_in(&framing) {
-            return framing;
-        }
-        let mut standing = framing.standing;
-        self.shown.centers.iter().for_each(|&center| standing.add(center));
-        Framing { standing, ..framing }
+        Framing::new(&self.shown, moving, &self.initial)
     }
 }
 

@@ -1,6 +1,7 @@
 //! Drawing a still, writing it as a file and reading it back.
 
 use super::selection::Still;
+use polhode::Observer as _;
 use polhode_cases::Run;
 use polhode_scene::LoadedScene;
 use polhode_view::Recording;
@@ -14,7 +15,7 @@ use std::path::Path;
 /// Width and height of a still, pixels.
 const SIZE: [u32; 2] = [320, 200];
 
-/// Draws a still of a run.
+/// Draws a still of a run, with the path that leads there where the bodies are too small to be seen beside it.
 ///
 /// # Errors
 /// When the run has no sample within an output interval of the time.
@@ -24,9 +25,13 @@ pub(super) fn draw(still: &Still, loaded: &LoadedScene, run: &Run) -> Result<Pic
     let nearest = (0..times.len()).min_by(|a, b| apart(a).total_cmp(&apart(b)));
     let found = nearest.filter(|sample| apart(sample) <= run.scene.output_interval_s());
     let sample = found.ok_or_else(|| format!("{}: the run has no sample at t = {} s", still.name, still.time_s))?;
-    let recording = Recording::of_instant(&run.scene, times[sample], &run.record.samples[sample])?;
-    let recording = recording.shown_as(loaded.appearance());
-    Ok(draw_still(&recording, 0, PictureSize::new(SIZE[0], SIZE[1])?)?)
+    let mut recording = Recording::for_still(&run.scene)?.shown_as(loaded.appearance());
+    for (t, bodies) in times[..sample].iter().zip(&run.record.samples) {
+        recording.sample(*t, bodies);
+    }
+    recording.end_at(times[sample], &run.record.samples[sample])?;
+    let last = recording.times().len().saturating_sub(1);
+    Ok(draw_still(&recording, last, PictureSize::new(SIZE[0], SIZE[1])?)?)
 }
 
 /// A picture as the bytes of a PNG file.

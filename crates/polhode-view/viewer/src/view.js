@@ -4,6 +4,7 @@ import { Group, LineBasicMaterial, Vector3 } from 'three';
 import { ArrowScale } from './arrows.js';
 import { Bodies } from './bodies.js';
 import { SELECTED_COLOUR } from './colours.js';
+import { Dots } from './dots.js';
 import { boundsOf, cornersOf } from './framing.js';
 import { Frames } from './frames.js';
 import { Ground } from './ground.js';
@@ -51,7 +52,8 @@ export class View {
     this.ground = new Ground(run, boundsOf(this.framed()), look.shadows);
     this.joints = new Joints(run, look, look.gravity);
     this.halos = new Halos(run, this.radiusOf);
-    this.group.add(this.ground.group, this.selected, this.joints.group, this.halos.group);
+    this.dots = new Dots(run, this.radiusOf);
+    this.group.add(this.dots.group, this.ground.group, this.selected, this.joints.group, this.halos.group);
     this.setGhost(false);
   }
 
@@ -62,6 +64,7 @@ export class View {
     this.ground.group.visible = !ghost;
     this.joints.group.visible = !ghost;
     this.halos.group.visible = !ghost;
+    this.dots.group.visible = !ghost;
     this.group.add(this.bodies.group);
     this.update();
   }
@@ -79,6 +82,7 @@ export class View {
     this.bodies.update(this.snapshot, this.eye());
     this.joints.update(this.snapshot.poses);
     this.halos.update(this.snapshot);
+    this.dots.update(this.snapshot, this.eye());
     this.ground.update(this.snapshot);
     this.markFollowed();
   }
