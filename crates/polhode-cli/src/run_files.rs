@@ -79,7 +79,7 @@ impl RunFiles {
             error => error.into(),
         })?;
         abandoned::note(&outputs.left_behind());
-        pictures.begin_run(&loaded.scene, loaded.scene.name(), FrameSource::Simulation)?;
+        pictures.begin_run(loaded, loaded.scene.name(), FrameSource::Simulation)?;
         let begin = |_| {
             let out = BufWriter::new(io::stdout());
             match estimation {

@@ -9,6 +9,7 @@ use crate::mesh_file::MeshFolder;
 use crate::read;
 use crate::robot::{self, Finding};
 use crate::uncertain::Uncertain;
+use polhode::scene::Appearance;
 use polhode::{Scene, SceneError};
 use std::path::{Path, PathBuf};
 
@@ -25,9 +26,15 @@ pub struct LoadedScene {
     meshes: MeshFolder,
     robots: Vec<PlacedRobot>,
     uncertain: Vec<Uncertain>,
+    appearance: Appearance,
 }
 
 impl LoadedScene {
+    /// How its file wants it shown.
+    pub fn appearance(&self) -> &Appearance {
+        &self.appearance
+    }
+
     /// The files of meshes and robots that the scene was made from; those inside the program are none.
     pub fn mesh_files(&self) -> Vec<PathBuf> {
         let mut files = Vec::new();
@@ -184,9 +191,9 @@ pub fn load_with_meshes(
 }
 
 fn from_document(document: Document, folder: &MeshFolder, name: &str) -> Result<LoadedScene, SceneFileError> {
-    let (file, Built { scene, robots }) = document.read(|file| build::scene(file, folder, name))?;
+    let (file, Built { scene, robots, appearance }) = document.read(|file| build::scene(file, folder, name))?;
     let uncertain = uncertain_of(&document, &file)?;
-    Ok(LoadedScene { scene, document, file, meshes: folder.clone(), robots, uncertain })
+    Ok(LoadedScene { scene, document, file, meshes: folder.clone(), robots, uncertain, appearance })
 }
 
 /// What is uncertain; the scene takes each of its keys.

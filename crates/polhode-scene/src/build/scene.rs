@@ -5,13 +5,13 @@ use super::fault::{Fault, Faults, not_negative, positive, vector};
 use super::materials::Materials;
 use super::model::{self, PlacedRobot};
 use super::track::Tracks;
-use super::{array, body, coordinate_motion, force, gear, joint, method};
+use super::{appearance, array, body, coordinate_motion, force, gear, joint, method};
 use crate::document::KeyPath;
 use crate::error::Refusal;
 use crate::format::{self, NoContactEntry, SceneFile};
 use crate::mesh_file::MeshFolder;
 use polhode::contact::ShapeError;
-use polhode::scene::{Coordinate, CoordinateMotion};
+use polhode::scene::{Appearance, Coordinate, CoordinateMotion};
 use polhode::{Body, BodyId, JointId, Scene, SceneBuilder, SceneError};
 
 /// A scene, and the robots that are part of it.
@@ -21,6 +21,8 @@ pub(crate) struct Built {
     pub(crate) scene: Scene,
     /// Its robots.
     pub(crate) robots: Vec<PlacedRobot>,
+    /// How it is shown.
+    pub(crate) appearance: Appearance,
 }
 
 /// The scene that a file describes; `name` is used when the file gives none.
@@ -76,12 +78,13 @@ pub(crate) fn scene(file: &SceneFile, folder: &MeshFolder, name: &str) -> Result
             builder = builder.no_contact(group);
         }
     }
+    let appearance = appearance::build(file, &list, &mut faults);
     for body in list {
         builder = builder.body(body);
     }
     faults.none()?;
     match builder.build() {
-        Ok(scene) => Ok(Built { scene, robots }),
+        Ok(scene) => Ok(Built { scene, robots, appearance }),
         Err(error) => Err(vec![(path_of(&error, file, &robots), Refusal::Scene(error))]),
     }
 }
