@@ -7,7 +7,8 @@
 //! | module | holds |
 //! |---|---|
 //! | [`surface_mesh`], [`mod@tessellation`] | triangles, normals and sharp edges of every shape |
-//! | [`shown_scene`], [`shown_body`], [`mesh_library`] | what is shown: bodies, their parts, and meshes that they share |
+//! | [`shown_scene`], [`shown_body`] | what is shown: bodies and their parts |
+//! | [`mesh_library`] | meshes that bodies share |
 //! | [`quanta`], [`chunk`] | frames as integers, packed |
 //! | `turning` | orientations between two frames |
 //! | `penetration` | how deep bodies overlap, as plots and pages show it |
