@@ -51,7 +51,9 @@ pub(super) fn text(shown: &ShownScenes) -> String {
         );
         for row in shown.groups.rows(group, &shown.selection, usize::MAX) {
             text.push_str("<div class=\"cards\">\n");
-            row.iter().for_each(|still| text.push_str(&card(still, "", shown)));
+            for still in &row {
+                text.push_str(&card(still, "", shown));
+            }
             text.push_str("</div>\n");
         }
     }

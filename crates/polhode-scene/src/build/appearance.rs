@@ -69,6 +69,7 @@ fn camera(entry: &ViewEntry, path: &KeyPath) -> Result<Appearance, Fault> {
 }
 
 /// What an entry says of a look, but for how much is seen.
+#[derive(Clone, Copy)]
 struct Look<'a> {
     color: Option<ColorEntry>,
     label: Option<&'a str>,

@@ -364,9 +364,9 @@ fn a_scene_says_how_it_looks() {
         brightness(red) < brightness(glass) && brightness(glass) < brightness(hidden),
         "{red:?} {glass:?} {hidden:?}"
     );
-    let frame = Some([DVec3::splat(-10.0), DVec3::splat(10.0)]);
-    let framed = recorded().shown_as(&Appearance { frame, ..Appearance::default() });
-    assert_eq!(framed.framing_at(0).bounds(), frame.unwrap());
+    let frame = [DVec3::splat(-10.0), DVec3::splat(10.0)];
+    let framed = recorded().shown_as(&Appearance { frame: Some(frame), ..Appearance::default() });
+    assert_eq!(framed.framing_at(0).bounds(), frame);
 }
 
 /// An arrow of a velocity stands over the ball, and a legend says what it means.
