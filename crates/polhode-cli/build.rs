@@ -1,4 +1,5 @@
-//! Puts the shipped scenes and their meshes inside the program: a list of names and texts, made from the folders.
+//! Puts the shipped scenes, their groups and their meshes inside the program: a list of names and texts, made from the
+//! folders.
 
 use std::ffi::OsStr;
 use std::fmt::Write as _;
@@ -16,8 +17,11 @@ fn main() -> io::Result<()> {
     let fixtures = if inside.join("scenes").is_dir() { inside } else { package.join("../../fixtures") };
     let scenes = list(&fixtures.join("scenes"), &["toml"], "SCENES", "&str", "include_str!", "")?;
     let meshes = list(&fixtures.join("meshes"), &MESHES, "MESHES", "&[u8]", "include_bytes!", "../meshes/")?;
+    let groups = fixtures.join("groups.toml");
+    println!("cargo::rerun-if-changed={}", groups.display());
+    let groups = format!("pub(crate) const GROUPS: &str = include_str!({:?});\n", groups.display().to_string());
     let out = env::var_os("OUT_DIR").ok_or_else(|| io::Error::other("OUT_DIR is not set"))?;
-    fs::write(PathBuf::from(out).join("examples.rs"), scenes + &meshes)
+    fs::write(PathBuf::from(out).join("examples.rs"), scenes + &meshes + &groups)
 }
 
 /// A constant of the files of a folder with one of these endings, sorted: pages and results that a user has written

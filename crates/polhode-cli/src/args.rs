@@ -499,12 +499,16 @@ pub(crate) struct ViewArgs {
     #[arg(long, value_name = "WxH")]
     pub(crate) size: Option<String>,
     /// From where pictures are taken: front, side, top, iso, or the place of the camera, m: --camera 3,-4,2 [default:
-    /// from the front, a little from the right and above]
+    /// as the scene's [view] says; what moves in a plane is seen square on, all else from the front, a little from the
+    /// right and above]
     #[arg(long, value_name = "VIEW|X,Y,Z", allow_hyphen_values = true)]
     pub(crate) camera: Option<String>,
-    /// What the camera looks at, m: --look-at 0,0,0.5 [default: the middle of what moves]
+    /// What the camera looks at, m: --look-at 0,0,0.5 [default: what is there]
     #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true)]
     pub(crate) look_at: Option<String>,
+    /// Draws these over the bodies of pictures: velocities, spins, forces, traces, names (several with commas)
+    #[arg(long, value_name = "OVERLAYS", value_delimiter = ',')]
+    pub(crate) show: Vec<String>,
     /// Opens what was written: a page, which then plays at once, by the browser
     #[arg(long)]
     pub(crate) open: bool,

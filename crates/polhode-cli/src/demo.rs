@@ -42,6 +42,7 @@ pub(crate) fn demo(args: &DemoArgs, interrupt: &Interrupt) -> Result<(), Failure
         size: None,
         camera: None,
         look_at: None,
+        show: Vec::new(),
         open: args.open,
         changes: ChangeArgs {
             set: Vec::new(),

@@ -178,7 +178,7 @@ fn pictures(setting: &Setting, poses: &RestPoses, folder: &Path) -> Result<(), F
         let drawn = || {
             let recording = Recording::of_instant(&scene, 0.0, &bodies)?;
             let mut png = Vec::new();
-            write_png(&still(&recording, 0, PictureSize::MOVING), &mut png)?;
+            write_png(&still(&recording, 0, PictureSize::MOVING)?, &mut png)?;
             Ok::<_, polhode_view::ViewError>(png)
         };
         let png = drawn().map_err(|error| Failure::Usage(format!("error: {}: {error}", path.display())))?;

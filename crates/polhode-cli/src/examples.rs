@@ -2,6 +2,7 @@
 
 use crate::args::NewArgs;
 use crate::failure::Failure;
+use crate::scene_groups::SceneGroups;
 use crate::stdout;
 use crate::text::Table;
 use polhode_scene::{AtomicFile, load_with_meshes};
@@ -35,15 +36,24 @@ pub(crate) fn find(name: &str) -> Result<&'static str, Failure> {
     })
 }
 
-/// Prints the names of the examples, each with its title.
+/// Prints the names of the examples in groups, each with its title; one that shows a fault stands below the one without
+/// it.
 pub(crate) fn scenes() -> Result<(), Failure> {
-    let mut table = Table::default();
-    for (name, text) in SCENES {
-        let loaded = load_with_meshes(name, text, MESHES, &[])?;
-        table.row([name, &loaded.title()]);
+    let groups = SceneGroups::read(GROUPS)?;
+    let title = |name: &str| Ok::<_, Failure>(load_with_meshes(name, find(name)?, MESHES, &[])?.title());
+    let mut text = String::new();
+    for group in &groups.groups {
+        let mut table = Table::default();
+        for name in &group.scenes {
+            table.row([name, &title(name)?]);
+            for wrong in groups.wrong_versions(name) {
+                table.row([wrong, &format!("wrong version of {name}: {}", title(wrong)?)]);
+            }
+        }
+        let _ = write!(text, "{}: {}\n{}\n", group.title, group.about, table.print());
     }
-    let usage = "\nRun one: polhode run example:diamond-4; begin with one: polhode new my-scene --from diamond-4\n";
-    stdout::text(&(table.print() + usage))
+    text.push_str("Run one: polhode run example:diamond-4; begin with one: polhode new my-scene --from diamond-4\n");
+    stdout::text(&text)
 }
 
 /// Writes a commented scene, and the meshes of an example beside it; what stands there stays.
@@ -111,6 +121,18 @@ mod tests {
             load_with_meshes(name, text, MESHES, &[]).unwrap_or_else(|error| panic!("{name}: {error}"));
         }
         load_with_meshes("new", FIRST_SCENE, &[], &[]).unwrap();
+    }
+
+    /// Each example stands in one group, or is the wrong version of one that does.
+    #[test]
+    fn groups_hold_every_example_once() {
+        let groups = SceneGroups::read(GROUPS).unwrap();
+        let right = groups.groups.iter().flat_map(|group| &group.scenes).map(String::as_str);
+        let mut all: Vec<&str> = right.clone().chain(right.flat_map(|name| groups.wrong_versions(name))).collect();
+        all.sort_unstable();
+        let mut shipped: Vec<&str> = SCENES.iter().map(|(name, _)| *name).collect();
+        shipped.sort_unstable();
+        assert_eq!(all, shipped);
     }
 
     #[test]

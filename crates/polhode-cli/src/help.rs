@@ -93,7 +93,8 @@ pub(crate) const VIEW: &str = "\
 Examples:
   polhode view scene.toml -o page.html
   polhode view scene.toml motion.csv -o motion.gif
-  polhode view scene.toml --still t=1.5 --camera top";
+  polhode view scene.toml --still t=1.5 --camera top
+  polhode view scene.toml --still t=0.5 --show velocities,traces -o shown.png";
 
 pub(crate) const NEW: &str = "\
 Examples:

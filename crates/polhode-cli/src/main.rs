@@ -22,6 +22,8 @@
 //! | `watch` | the observer of a run: tells outputs and pictures |
 //! | `interrupt` | Ctrl-C and SIGTERM |
 //! | `meant` | the command that was meant by a mistyped one |
+//! | `scene_groups` | the shipped scenes in groups |
+//! | `mechanism_figure` | the figure of the motion that begins |
 //! | `progress`, `verbosity` | progress of long work; how much is said on stderr |
 //! | `terminal` | stderr: messages, and the line that is drawn again |
 //! | `examples` | the shipped scenes, inside the program; new scenes |
@@ -76,6 +78,7 @@ mod inputs;
 mod interrupt;
 mod judge;
 mod meant;
+mod mechanism_figure;
 mod mesh;
 mod mesh_args;
 mod pictures;
@@ -87,6 +90,7 @@ mod quantity_plots;
 mod run;
 mod run_files;
 mod scene;
+mod scene_groups;
 mod second_opinion;
 mod stands;
 mod stdout;

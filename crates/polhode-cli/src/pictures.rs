@@ -5,14 +5,16 @@ use crate::drawing::Drawing;
 use crate::failure::{self, Failure};
 use crate::heading::Heading;
 use crate::interrupt::Interrupt;
-use polhode::{BodyError, BodySample, Event, Flow, Frame, Observer, Scene};
-use polhode_scene::AtomicFile;
+use crate::mechanism_figure;
+use polhode::{BodyError, BodySample, Event, Flow, Frame, Observer, Simulation};
+use polhode_scene::{AtomicFile, LoadedScene};
 use polhode_view::animation::{FPS, Pace, Watcher, write_apng, write_gif, write_webp};
 use polhode_view::camera::Viewpoint;
 use polhode_view::glb::write_glb;
+use polhode_view::overlay::Overlay;
 use polhode_view::page::{AtFirst, MOST_FRAMES};
 use polhode_view::raster::PictureSize;
-use polhode_view::still::{still_from, write_png};
+use polhode_view::still::{still_with, write_png};
 use polhode_view::{FrameSource, Page, PageRun, Recording, ViewError};
 use serde_json::Value;
 use std::path::{Path, PathBuf};
@@ -75,7 +77,7 @@ pub(crate) struct Pictures {
 }
 
 /// What the command line asks of them.
-#[derive(Debug, Clone, Copy, Default)]
+#[derive(Debug, Clone, Default)]
 pub(crate) struct Options {
     /// Least time between frames, s; without it what suits their kind.
     pub(crate) least_interval_s: Option<f64>,
@@ -83,6 +85,8 @@ pub(crate) struct Options {
     pub(crate) size: Option<[u32; 2]>,
     /// From where pictures are taken.
     pub(crate) viewpoint: Viewpoint,
+    /// What is drawn over the bodies of pictures.
+    pub(crate) overlays: Vec<Overlay>,
     /// What pages do at first.
     pub(crate) at_first: AtFirst,
 }
@@ -102,6 +106,7 @@ impl Pictures {
     /// When a name is given twice or a file cannot be opened.
     pub(crate) fn create(paths: &[PathBuf], heading: &Heading, options: Options) -> Result<Self, Failure> {
         let (pages, page_runs, files, temporary) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
+        let at_first = options.at_first;
         let mut pictures = Self { pages, page_runs, files, temporary, recording: None, options };
         for (number, path) in paths.iter().enumerate() {
             if paths[..number].contains(path) {
@@ -116,11 +121,11 @@ impl Pictures {
                 Kind::Page => {
                     let page = Page::begin(file, &heading.title, &heading.description);
                     let page = page.map_err(|error| failure(path, error))?;
-                    pictures.pages.push((path.clone(), page.at_first(options.at_first)));
+                    pictures.pages.push((path.clone(), page.at_first(at_first)));
                 }
                 kind => {
                     // Known before the run, not after it.
-                    options.size_of(kind).map_err(|error| failure(path, error))?;
+                    pictures.options.size_of(kind).map_err(|error| failure(path, error))?;
                     pictures.files.push((kind, file));
                 }
             }
@@ -132,15 +137,27 @@ impl Pictures {
     ///
     /// # Errors
     /// When the scene has no bodies.
-    pub(crate) fn begin_run(&mut self, scene: &Scene, name: &str, source: FrameSource) -> Result<(), Failure> {
+    pub(crate) fn begin_run(&mut self, loaded: &LoadedScene, name: &str, source: FrameSource) -> Result<(), Failure> {
         for (path, page) in self.pages.drain(..) {
-            let run = page.begin_run(scene, name, source).map_err(|error| failure(&path, error))?;
+            let run = page.begin_run(&loaded.scene, name, source).map_err(|error| failure(&path, error))?;
+            let run = run.shown_as(loaded.appearance());
             self.page_runs.push((path, run.with_least_interval(self.options.least_interval_s.unwrap_or_default())));
         }
         if let (Some((_, file)), None) = (self.files.first(), &self.recording) {
-            self.recording = Some(self.recording_of(scene).map_err(|error| failure(file.target(), error))?);
+            self.recording = Some(self.recording_of(loaded).map_err(|error| failure(file.target(), error))?);
         }
         Ok(())
+    }
+
+    /// Looks at a simulation before it begins: pages show what of its bodies at rest would move first.
+    pub(crate) fn begin_simulation(&mut self, loaded: &LoadedScene, simulation: &Simulation) {
+        let is_first = self.page_runs.iter().all(|(_, run)| run.is_first());
+        if self.page_runs.is_empty() || !is_first {
+            return;
+        }
+        if let Some(figure) = mechanism_figure::at_start(loaded, simulation) {
+            self.page_runs.iter_mut().for_each(|(_, run)| run.show_mechanism(&figure.caption, &figure.svg));
+        }
     }
 
     /// Takes a recording that has ended for the motion of the scene.
@@ -149,15 +166,17 @@ impl Pictures {
     }
 
     /// The recording that pictures and models are made from: of a picture alone only the last frame counts.
-    fn recording_of(&self, scene: &Scene) -> Result<Recording, ViewError> {
-        let least = self.options.least_interval_s;
-        if self.files.iter().all(|(kind, _)| *kind == Kind::Still) {
+    fn recording_of(&self, loaded: &LoadedScene) -> Result<Recording, ViewError> {
+        let (scene, least) = (&loaded.scene, self.options.least_interval_s);
+        let recording = if self.files.iter().all(|(kind, _)| *kind == Kind::Still) {
             Recording::for_still(scene)
         } else if self.files.iter().any(|(kind, _)| kind.moves()) {
             Recording::new(scene, least.unwrap_or(1.0 / FPS))
         } else {
             Recording::new(scene, least.unwrap_or_default().max(scene.duration_s() / MOST_FRAMES))
-        }
+        };
+        let recording = recording?.shown_as(loaded.appearance());
+        Ok(if self.options.overlays.contains(&Overlay::Forces) { recording.with_forces() } else { recording })
     }
 
     /// Ends the run.
@@ -220,7 +239,8 @@ impl Observer for Pictures {
     }
 
     fn wants_frames(&self) -> bool {
-        self.page_runs.iter().any(|(_, run)| run.wants_frames())
+        let has_recording = self.recording.as_ref().is_some_and(Observer::wants_frames);
+        has_recording || self.page_runs.iter().any(|(_, run)| run.wants_frames())
     }
 
     fn frame(&mut self, frame: &Frame) {
@@ -266,12 +286,13 @@ fn encode(
     let told = |drawn| drawing.reached(drawn);
     let pace = || {
         drawing.begin(recording.times().len());
-        Ok::<_, ViewError>(Pace::new(recording, size)?.seen_from(&options.viewpoint)?.watched_by(Watcher(&told)))
+        let pace = Pace::new(recording, size)?.seen_from(&options.viewpoint)?;
+        Ok::<_, ViewError>(pace.with_overlays(&options.overlays).watched_by(Watcher(&told)))
     };
     match kind {
         Kind::Still => {
             let last = recording.times().len().saturating_sub(1);
-            write_png(&still_from(recording, last, &options.viewpoint, size)?, file)
+            write_png(&still_with(recording, last, &options.viewpoint, size, &options.overlays)?, file)
         }
         Kind::Gif => write_gif(&pace()?, file),
         Kind::Apng => write_apng(&pace()?, file),

@@ -4,6 +4,7 @@ use crate::args::{ResumeArgs, RunArgs, RunOutputArgs};
 use crate::checkpoints::Checkpoints;
 use crate::failure::{self, Failure};
 use crate::interrupt::Interrupt;
+use crate::mechanism_figure::MOST_CONTACTS;
 use crate::progress::Progress;
 use crate::run_files::{RunFiles, is_stdout};
 use crate::scene::SceneText;
@@ -21,9 +22,6 @@ use std::io::IsTerminal;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Instant;
-
-/// Most contacts of which a report says how far they are from moving: some tenths of a second.
-const MOST_CONTACTS: usize = 500;
 
 /// Simulates, writes the files asked for and prints the report.
 pub(crate) fn run(args: &RunArgs, interrupt: &Interrupt) -> Result<(), Failure> {

@@ -79,7 +79,7 @@ impl RunFiles {
             error => error.into(),
         })?;
         abandoned::note(&outputs.left_behind());
-        pictures.begin_run(&loaded.scene, loaded.scene.name(), FrameSource::Simulation)?;
+        pictures.begin_run(loaded, loaded.scene.name(), FrameSource::Simulation)?;
         let begin = |_| {
             let out = BufWriter::new(io::stdout());
             match estimation {
@@ -94,6 +94,7 @@ impl RunFiles {
     /// Begins at the present time of a simulation.
     pub(crate) fn begin(&mut self, loaded: &LoadedScene, simulation: &Simulation) {
         self.plots.begin(loaded, simulation);
+        self.pictures.begin_simulation(loaded, simulation);
     }
 
     /// All who are told of the run.

@@ -5,6 +5,7 @@ use crate::abandoned;
 use crate::args::StandsArgs;
 use crate::failure::Failure;
 use crate::interrupt::Interrupt;
+use crate::mechanism_figure;
 use crate::plots::{cannot_write, is_plot};
 use crate::progress::Progress;
 use crate::scene::{self, SceneText};
@@ -13,7 +14,6 @@ use crate::text::stands;
 use polhode::Scene;
 use polhode_scene::{AtomicFile, Override};
 use polhode_study::stands::{Interval, Question, Standing, StandsError, bisection_json, standing_json};
-use polhode_view::plot::{HingeMark, MechanismPlot};
 use std::io::Write as _;
 use std::path::Path;
 
@@ -66,23 +66,11 @@ fn bisect(args: &StandsArgs, question: &Question<'_>, interval: &str, interrupt:
 
 /// Draws the mechanism.
 fn draw(path: &Path, scene: &Scene, standing: &Standing) -> Result<(), Failure> {
-    let (bodies, hinges) = match &standing.mechanism {
-        Some(mechanism) => (&mechanism.bodies[..], &mechanism.hinges[..]),
-        None => (&[][..], &[][..]),
-    };
-    let marks: Vec<HingeMark> = hinges
-        .iter()
-        .map(|hinge| {
-            let moves = |body: &polhode::BodyId| bodies.iter().any(|own| own.body == *body);
-            let body = hinge.bodies.into_iter().find(moves).unwrap_or(hinge.bodies[0]);
-            HingeMark { body, place: hinge.middle_m() }
-        })
-        .collect();
-    let (title, subtitle) = stands::headings(scene, standing);
-    let plot = MechanismPlot { title: &title, subtitle: &subtitle, scene, bodies, hinges: &marks };
+    let title = stands::answer(scene, standing);
+    let figure = mechanism_figure::of(scene, standing.mechanism.as_ref(), &title);
     let mut file = AtomicFile::create(path).map_err(|error| cannot_write(path, &error))?;
     abandoned::note(file.left_behind());
-    let written = file.write_all(plot.svg().as_bytes()).and_then(|()| file.commit());
+    let written = file.write_all(figure.as_bytes()).and_then(|()| file.commit());
     written.map_err(|error| cannot_write(path, &error))
 }
 

@@ -6,7 +6,7 @@ use crate::heading::Heading;
 use crate::interrupt::Interrupt;
 use crate::pictures::{ENDINGS, Kind, Options, Pictures};
 use crate::progress::Progress;
-use crate::viewpoint::viewpoint;
+use crate::viewpoint::{overlays, viewpoint};
 use crate::watch::Watch;
 use crate::{browser, examples, inputs, scene, stdout};
 use polhode::{BodySample, Flow, Observer, Outcome, RunReport, Simulation, SimulationError};
@@ -16,6 +16,7 @@ use polhode_scene::{
 };
 use polhode_study::difference::energy_error;
 use polhode_view::animation::FPS;
+use polhode_view::overlay::Overlay;
 use polhode_view::page::{AtFirst, MOST_FRAMES};
 use polhode_view::{FrameSource, Recording};
 use serde_json::Value;
@@ -56,9 +57,10 @@ pub(crate) fn view(args: &ViewArgs, interrupt: &Interrupt) -> Result<(), Failure
         least_interval_s: args.fps.map(|_| interval_s),
         size: size(args.size.as_deref())?,
         viewpoint: viewpoint(args, &paths)?,
+        overlays: overlays(args, &paths)?,
         at_first: if args.open { AtFirst::Plays } else { AtFirst::Waits },
     };
-    let create = || Pictures::create(&paths, &heading, options);
+    let create = || Pictures::create(&paths, &heading, options.clone());
     let mut pictures = interrupt.remove(create, |pictures| pictures.temporary().to_vec())?;
     if let (Some(text), [run]) = (&args.still, &runs[..]) {
         let progress = Progress::new("simulating to the picture");
@@ -138,12 +140,17 @@ fn outside(t: f64, from: f64, to: f64) -> Failure {
 fn at_instant(run: &ShownRun, args: &ViewArgs, t_s: f64) -> Result<Recording, Failure> {
     let scene = &run.loaded.scene;
     let refused = |error| Failure::Usage(format!("error: {}: {error}", scene.name()));
-    let mut recording = Recording::for_still(scene).map_err(refused)?;
+    let recording = Recording::for_still(scene).map_err(refused)?;
+    let mut recording = recording.shown_as(run.loaded.appearance());
+    let wants_forces = args.show.iter().any(|name| Overlay::named(name.trim()) == Some(Overlay::Forces));
     let (t, bodies) = match &run.motion {
         Motion::Simulated => {
             let mut simulation = scene::prepare(&run.loaded, &args.changes)?;
             let reached = simulation.advance_to_observed(t_s, &mut recording);
             reached.map_err(|error| scene::failed(&run.loaded, error))?;
+            if wants_forces {
+                recording.frame(&simulation.frame());
+            }
             (t_s, simulation.bodies())
         }
         Motion::Read(path) => nearest_sample(path, run, t_s, &mut recording)?,
@@ -194,15 +201,16 @@ fn show(
 ) -> Result<(String, Result<Value, Failure>), Failure> {
     match &run.motion {
         Motion::Read(path) => {
-            pictures.begin_run(&run.loaded.scene, &run.name, FrameSource::Trajectory)?;
+            pictures.begin_run(&run.loaded, &run.name, FrameSource::Trajectory)?;
             let progress = Progress::new("reading the trajectory");
             read(path, run, pictures)?;
             drop(progress);
             Ok(("completed".to_owned(), Ok(Value::Null)))
         }
         Motion::Simulated => {
-            pictures.begin_run(&run.loaded.scene, &run.name, FrameSource::Simulation)?;
+            pictures.begin_run(&run.loaded, &run.name, FrameSource::Simulation)?;
             let mut simulation = scene::prepare(&run.loaded, &args.changes)?;
+            pictures.begin_simulation(&run.loaded, &simulation);
             let mut bar = Progress::new("simulating");
             bar.run(0.0, run.loaded.scene.duration_s());
             interrupt.wait_for_steps();

@@ -5,6 +5,7 @@ use crate::failure::Failure;
 use crate::pictures::Kind;
 use polhode::spatial::DVec3;
 use polhode_view::camera::{PRESETS, Standpoint, Viewpoint};
+use polhode_view::overlay::Overlay;
 use std::path::PathBuf;
 
 /// The viewpoint of the pictures; pages and models have cameras of their own.
@@ -17,18 +18,34 @@ pub(crate) fn viewpoint(args: &ViewArgs, paths: &[PathBuf]) -> Result<Viewpoint,
         );
         return Err(Failure::Usage(what));
     }
-    let standpoint = args.camera.as_deref().map_or(Ok(Viewpoint::default().standpoint), standpoint)?;
+    let standpoint = args.camera.as_deref().map(standpoint).transpose()?;
     let target = args.look_at.as_deref().map(|text| place("--look-at", text, "")).transpose()?;
     Ok(Viewpoint { standpoint, target })
 }
 
 /// Where the camera stands: a view by name, or a place.
 fn standpoint(text: &str) -> Result<Standpoint, Failure> {
-    if let Some((_, from)) = PRESETS.iter().find(|(name, _)| *name == text) {
-        return Ok(Standpoint::Direction(*from));
+    if let Some(view) = Standpoint::named(text) {
+        return Ok(view);
     }
     let names = PRESETS.map(|(name, _)| name).join(", ");
     place("--camera", text, &format!(", nor one of {names}")).map(Standpoint::Eye)
+}
+
+/// The overlays of the pictures.
+pub(crate) fn overlays(args: &ViewArgs, paths: &[PathBuf]) -> Result<Vec<Overlay>, Failure> {
+    let has_picture = paths.iter().any(|path| Kind::of(path).is_some_and(Kind::is_picture));
+    if !args.show.is_empty() && !has_picture {
+        let what = "error: --show is for pictures (.png, .gif, .apng, .webp): a page has buttons for its overlays";
+        return Err(Failure::Usage(what.to_owned()));
+    }
+    let overlay = |name: &String| {
+        Overlay::named(name.trim()).ok_or_else(|| {
+            let names = Overlay::ALL.map(|(name, _)| name).join(", ");
+            Failure::Usage(format!("error: --show {name}: no overlay is named so; accepted: {names}"))
+        })
+    };
+    args.show.iter().map(overlay).collect()
 }
 
 /// A place, m.

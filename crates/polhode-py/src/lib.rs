@@ -19,7 +19,7 @@
 //! | `arguments` | what Python gives, checked |
 //! | `contacts` | forces of friction and impacts, as functions of arrays |
 //! | `files` | meshes and robots from their files |
-//! | `stands` | whether a scene stands, and tables of boxes as scenes |
+//! | `stands` | whether a scene stands, up to which value, and tables of boxes as scenes |
 //! | `functions` | parts of the library as functions of arrays |
 //! | `errors` | errors of the library as Python's exceptions |
 //!
@@ -75,7 +75,7 @@ mod _polhode {
     #[pymodule_export]
     use super::simulation::{Simulation, Snapshot};
     #[pymodule_export]
-    use super::stands::{boxes, stands};
+    use super::stands::{boxes, standing_limit, stands};
     #[pymodule_export]
     use super::study::study;
     #[pymodule_export]

@@ -220,16 +220,14 @@ impl Asked<'_> {
     fn viewpoint(&self, py: Python<'_>) -> PyResult<Viewpoint> {
         let target = self.look_at.as_ref().map(|place| arguments::vector("look_at", place)).transpose()?;
         let standpoint = match &self.camera {
-            None => Viewpoint::default().standpoint,
-            Some(camera) => match camera.extract::<String>() {
+            None => None,
+            Some(camera) => Some(match camera.extract::<String>() {
                 Ok(name) => {
-                    let found = PRESETS.iter().find(|(known, _)| *known == name);
-                    let (_, from) = found
-                        .ok_or_else(|| errors::unknown_name(py, "camera", &name, &PRESETS.map(|(known, _)| known)))?;
-                    Standpoint::Direction(*from)
+                    let found = Standpoint::named(&name);
+                    found.ok_or_else(|| errors::unknown_name(py, "camera", &name, &PRESETS.map(|(known, _)| known)))?
                 }
                 Err(_) => Standpoint::Eye(arguments::vector("camera", camera)?),
-            },
+            }),
         };
         Ok(Viewpoint { standpoint, target })
     }
@@ -274,7 +272,9 @@ pub(crate) fn still<'py>(
         let nearest = after - usize::from(after > 0 && t - times[after - 1] < times[after] - t);
         let width = states.len() / times.len();
         let sample = |number: usize| bodies(&states[number * width..(number + 1) * width]);
-        let mut shown = polhode_view::Recording::for_still(&source.scene.scene).map_err(refused)?;
+        let mut shown = polhode_view::Recording::for_still(&source.scene.scene)
+            .map_err(refused)?
+            .shown_as(source.scene.appearance());
         for number in 0..nearest {
             shown.sample(times[number], &sample(number));
         }
@@ -307,7 +307,8 @@ pub(crate) fn gif<'py>(
         return Err(errors::plain(py, "ViewError", &said));
     }
     let shown = recording.read(py, |times, states| {
-        let mut shown = polhode_view::Recording::new(&source.scene.scene, 1.0 / fps)?;
+        let mut shown =
+            polhode_view::Recording::new(&source.scene.scene, 1.0 / fps)?.shown_as(source.scene.appearance());
         for (number, &time) in times.iter().enumerate() {
             let width = states.len() / times.len();
             shown.sample(time, &bodies(&states[number * width..(number + 1) * width]));

@@ -38,7 +38,8 @@ impl Telling {
     pub(crate) fn of(loaded: &LoadedScene, least_s: f64) -> Result<Self, ViewError> {
         let scene = &loaded.scene;
         let page = Page::begin(Vec::new(), &loaded.title(), &loaded.description().unwrap_or_default())?;
-        let page = page.begin_run(scene, scene.name(), FrameSource::Simulation)?.with_least_interval(least_s);
+        let page = page.begin_run(scene, scene.name(), FrameSource::Simulation)?;
+        let page = page.shown_as(loaded.appearance()).with_least_interval(least_s);
         let of_joints = if scene.joints().is_empty() { &[][..] } else { &RunPlot::OF_JOINTS };
         let plots = RunPlots::new(scene, 0.0, &[&RunPlot::ALL, of_joints].concat());
         let plots = plots.with_joint_names(loaded.joint_names());

@@ -152,7 +152,8 @@ def test_an_error_keeps_place_and_cure():
         ({"mass": 1.0, "at": (0, 0)}, "position"),
         ({"mass": 1.0, "at": (0, 0, float("inf"))}, "position"),
         ({"mass": "heavy"}, "mass"),
-        ({"mass": 1.0, "colour": "red"}, "colour"),
+        ({"mass": 1.0, "colour": "reddish"}, "colour"),
+        ({"mass": 1.0, "flavour": "sweet"}, "flavour"),
     ],
 )
 def test_bad_bodies_are_refused(keys, said):

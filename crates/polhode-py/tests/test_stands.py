@@ -80,3 +80,23 @@ def test_a_table_without_a_column_or_of_unlike_columns_is_refused():
         ph.boxes([{column: value for column, value in PALLET[0].items() if column != "mass"}])
     with pytest.raises(ValueError, match="different lengths"):
         ph.boxes({"x": [1, 2], "y": [1]})
+
+
+@pytest.mark.parametrize("width, height", [(0.4, 1.0), (1.0, 2.0)])
+def test_the_limit_of_an_overhang_is_half_the_width(width, height):
+    scene = ph.Scene()
+    scene.fixed(ph.HalfSpace(), friction=0.5)
+    scene.add(ph.Box(width, 1, height), name="low", mass=2.0, at=(0, 0, height / 2), friction=0.5)
+    scene.add(ph.Box(width, 1, height), name="high", mass=1.0, at=(0, 0, 1.5 * height), friction=0.5)
+    found = ph.standing_limit(scene, "bodies.high.position[0]", 0.0, width, digits=5)
+    assert found.limit == pytest.approx(width / 2, rel=2e-5)
+    assert found.stands < found.falls and found.asked > 10
+
+
+@pytest.mark.parametrize("low, high, digits", [(0.5, 0.1, 6), (0.0, math.inf, 6), (0.0, 0.1, 6), (0.0, 1.0, 99)])
+def test_a_limit_is_not_sought_where_there_is_none(low, high, digits):
+    scene = ph.Scene()
+    scene.fixed(ph.HalfSpace(), friction=0.5)
+    scene.add(ph.Box(1, 1, 1), name="box", mass=1.0, at=(0, 0, 0.5), friction=0.5)
+    with pytest.raises(ValueError):
+        ph.standing_limit(scene, "bodies.box.velocity[0]", low, high, digits=digits)

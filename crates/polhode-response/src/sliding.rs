@@ -140,8 +140,7 @@ impl SlidingFactors {
         let Self { held, matrix, scale, factor, ratio, .. } = self;
         check_length("constant terms", *held, b.len())?;
         check_finite("constant terms", b)?;
-        let wanted: Vec<f64> = b.iter().zip(scale).map(|(b, scale)| -b * scale).collect();
-        let mut scaled = factor.solve_transpose(&wanted);
+        let (wanted, mut scaled) = self.solved(b);
         for _ in 0..REFINEMENTS {
             let rows = matrix.chunks_exact((*held).max(1)).zip(&wanted);
             let left = rows.map(|(row, wanted)| wanted - dot(row, &scaled));
@@ -163,12 +162,39 @@ impl SlidingFactors {
         if *ratio > ALIKE_MASSES {
             return Ok(refined(problem, b, sliding, (factor, scale), (&forces, rounds(*ratio))));
         }
-        forces.resize(problem.len(), 0.0);
-        for slide in sliding {
-            forces[slide.tangent] -= slide.coefficient * forces[slide.normal];
-        }
+        let forces = with_friction(forces, sliding, problem.len());
         Ok(LeastNormForces { forces, loads: None })
     }
+
+    /// How the forces of so many rows change with the constant terms of those that are held, without refinement. None
+    /// where these are others.
+    pub(crate) fn change(&self, b: &[f64], sliding: &[SlidingRow], rows: usize) -> Option<Vec<f64>> {
+        if b.len() != self.held || check_rows(sliding, self.held, rows).is_err() {
+            return None;
+        }
+        let (_, scaled) = self.solved(b);
+        let mut forces: Vec<f64> = scaled.iter().zip(&self.scale).map(|(force, scale)| force * scale).collect();
+        if let Some(idle) = &self.idle {
+            idle.remove_range(&mut forces);
+        }
+        Some(with_friction(forces, sliding, rows))
+    }
+
+    /// What the forces have to do in scaled rows, and the scaled forces, without refinement.
+    fn solved(&self, b: &[f64]) -> (Vec<f64>, Vec<f64>) {
+        let wanted: Vec<f64> = b.iter().zip(&self.scale).map(|(b, scale)| -b * scale).collect();
+        let scaled = self.factor.solve_transpose(&wanted);
+        (wanted, scaled)
+    }
+}
+
+/// The forces of so many rows, from those of the rows that are held.
+fn with_friction(mut forces: Vec<f64>, sliding: &[SlidingRow], rows: usize) -> Vec<f64> {
+    forces.resize(rows, 0.0);
+    for slide in sliding {
+        forces[slide.tangent] -= slide.coefficient * forces[slide.normal];
+    }
+    forces
 }
 
 /// `forces` of the rows that are held, and friction, after so many steps of refinement in twice the working precision.

@@ -104,7 +104,7 @@ pub use report::{
 pub use schema::schema;
 pub use shown::{ended_line, methods_line, page_report_json, shown_failure, shown_outcome};
 pub use trajectory::{FilePlace, TRAJECTORY_ENDINGS, TrajectoryError, TrajectoryReader, is_trajectory};
-pub use uncertain::{Draw, Spread, StartPose, Uncertain};
+pub use uncertain::{Distribution, Draw, StartPose, Uncertain};
 
 // The program in the README is compiled and run as a test.
 #[cfg(doctest)]

@@ -9,6 +9,7 @@ use crate::mesh_file::MeshFolder;
 use crate::read;
 use crate::robot::{self, Finding};
 use crate::uncertain::Uncertain;
+use polhode::scene::Appearance;
 use polhode::{Scene, SceneError};
 use std::path::{Path, PathBuf};
 
@@ -25,9 +26,15 @@ pub struct LoadedScene {
     meshes: MeshFolder,
     robots: Vec<PlacedRobot>,
     uncertain: Vec<Uncertain>,
+    appearance: Appearance,
 }
 
 impl LoadedScene {
+    /// How its file wants it shown.
+    pub fn appearance(&self) -> &Appearance {
+        &self.appearance
+    }
+
     /// The files of meshes and robots that the scene was made from; those inside the program are none.
     pub fn mesh_files(&self) -> Vec<PathBuf> {
         let mut files = Vec::new();
@@ -60,9 +67,9 @@ impl LoadedScene {
         }
         let mut first = self.file.joints.len();
         for robot in &self.robots {
-            for (name, joint, _) in &robot.joint_names {
-                if let Some(own) = names.get_mut(first + joint) {
-                    name.clone_into(own);
+            for named in &robot.joint_names {
+                if let Some(own) = names.get_mut(first + named.joint) {
+                    named.name.clone_into(own);
                 }
             }
             first += robot.joints.len();
@@ -184,9 +191,9 @@ pub fn load_with_meshes(
 }
 
 fn from_document(document: Document, folder: &MeshFolder, name: &str) -> Result<LoadedScene, SceneFileError> {
-    let (file, Built { scene, robots }) = document.read(|file| build::scene(file, folder, name))?;
+    let (file, Built { scene, robots, appearance }) = document.read(|file| build::scene(file, folder, name))?;
     let uncertain = uncertain_of(&document, &file)?;
-    Ok(LoadedScene { scene, document, file, meshes: folder.clone(), robots, uncertain })
+    Ok(LoadedScene { scene, document, file, meshes: folder.clone(), robots, uncertain, appearance })
 }
 
 /// What is uncertain; the scene takes each of its keys.
@@ -196,7 +203,7 @@ fn uncertain_of(document: &Document, file: &SceneFile) -> Result<Vec<Uncertain>,
     }
     let all = build::uncertain(file, &|key| document.number(key)).map_err(|faults| document.refuse_all(faults))?;
     let middle = |own: &Uncertain| match own {
-        Uncertain::Key { key, spread } => Some(Override::new("uncertain", key, spread.middle())),
+        Uncertain::Key { key, drawn } => Some(Override::new("uncertain", key, drawn.middle())),
         Uncertain::Poses { .. } => None,
     };
     let changes: Vec<(usize, Override)> =

@@ -7,6 +7,7 @@
 use crate::document::Override;
 use glam::DVec3;
 use polhode::spatial::{Pose, Rotation};
+use std::fmt;
 
 /// What of a scene is uncertain.
 #[derive(Debug, Clone, PartialEq)]
@@ -16,8 +17,8 @@ pub enum Uncertain {
     Key {
         /// Dotted path of the key.
         key: String,
-        /// What is known of its value.
-        spread: Spread,
+        /// What its value is drawn from.
+        drawn: Distribution,
     },
     /// The poses of bodies at the start.
     Poses {
@@ -42,22 +43,21 @@ pub enum Draw {
     Alike,
 }
 
-/// What is known of a value.
+/// What a value is drawn from.
 #[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
-pub enum Spread {
-    /// It is normal.
+pub enum Distribution {
+    /// The normal distribution.
     Normal {
-        /// Mean.
+        /// Its mean.
         mean: f64,
-        /// Standard deviation, not negative.
+        /// Its standard deviation, not negative.
         deviation: f64,
     },
-    /// Its logarithm is normal.
+    /// A quantity whose logarithm is normal.
     LogNormal {
-        /// Median, positive.
+        /// Half of the draws lie below it; positive.
         median: f64,
-        /// Standard deviation of the natural logarithm, not negative.
+        /// The standard deviation of the natural logarithm, not negative.
         spread: f64,
     },
     /// All values between two are as probable as each other.
@@ -67,24 +67,28 @@ pub enum Spread {
         /// The largest value.
         high: f64,
     },
-    /// It is somewhere between two values.
-    Interval {
-        /// The smallest value.
-        low: f64,
-        /// The largest value.
-        high: f64,
-    },
-    /// It is one of these, as TOML has them; at least one.
+    /// Each of some values, as TOML has them, at least one, is as probable as the others.
     Choice(Vec<String>),
 }
 
-impl Spread {
+impl Distribution {
     /// The middle of the values, as TOML: the median, or the first of a choice.
     pub fn middle(&self) -> String {
         match self {
             Self::Normal { mean: middle, .. } | Self::LogNormal { median: middle, .. } => format!("{middle:?}"),
-            Self::Uniform { low, high } | Self::Interval { low, high } => format!("{:?}", low + (high - low) * 0.5),
+            Self::Uniform { low, high } => format!("{:?}", low + (high - low) * 0.5),
             Self::Choice(values) => values.first().cloned().unwrap_or_default(),
+        }
+    }
+}
+
+impl fmt::Display for Distribution {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Normal { mean, deviation } => write!(f, "normal({mean}, {deviation})"),
+            Self::LogNormal { median, spread } => write!(f, "lognormal({median}, {spread})"),
+            Self::Uniform { low, high } => write!(f, "uniform({low}, {high})"),
+            Self::Choice(values) => write!(f, "choice({})", values.join(", ")),
         }
     }
 }

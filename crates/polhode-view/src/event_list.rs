@@ -1,5 +1,6 @@
 //! Events in words, for the time line of a page.
 
+use polhode::spatial::DVec3;
 use polhode::{BodyId, Event, EventKind};
 use serde::Serialize;
 
@@ -47,6 +48,8 @@ impl EventList {
             EventKind::ContactEnd => format!("{a} and {b} cease to touch"),
             EventKind::Rest => format!("{a} comes to rest"),
             EventKind::Wake => format!("{a} begins to move"),
+            // Without a contact it is the end of a track.
+            EventKind::Detach if event.normal == DVec3::ZERO => format!("{a} leaves the track"),
             EventKind::Detach => format!("a contact of {a} and {b} opens"),
             EventKind::Stick => format!("a contact of {a} and {b} sticks"),
             EventKind::Slide => format!("a contact of {a} and {b} begins to slide"),

@@ -134,8 +134,8 @@ impl Model {
     }
 
     /// The mesh of a surface in a colour.
-    fn mesh(&mut self, number: usize, surface: &SurfaceMesh, light: [f64; 3]) -> usize {
-        let material = self.material(light);
+    fn mesh(&mut self, number: usize, surface: &SurfaceMesh, color: [u8; 3]) -> usize {
+        let material = self.material(color);
         if let Some(&mesh) = self.colored.get(&(number, material)) {
             return mesh;
         }
@@ -147,15 +147,15 @@ impl Model {
         self.meshes.len() - 1
     }
 
-    fn material(&mut self, light: [f64; 3]) -> usize {
-        if let Some(&material) = self.painted.get(&colors::srgb(light)) {
+    fn material(&mut self, color: [u8; 3]) -> usize {
+        if let Some(&material) = self.painted.get(&color) {
             return material;
         }
-        let [r, g, b] = light;
+        let [r, g, b] = colors::linear(color);
         self.materials.push(json!({ "pbrMetallicRoughness": {
             "baseColorFactor": [r, g, b, 1.0], "metallicFactor": 0.0, "roughnessFactor": 0.8,
         }, "doubleSided": true }));
-        self.painted.insert(colors::srgb(light), self.materials.len() - 1);
+        self.painted.insert(color, self.materials.len() - 1);
         self.materials.len() - 1
     }
 
@@ -167,29 +167,28 @@ impl Model {
     fn add_bodies(&mut self, recording: &Recording) {
         let shown = recording.shown();
         let ground = recording.meshes().meshes().len();
-        let size = {
-            let [low, high] = recording.bounds();
-            (high - low).length()
-        };
+        let [low, high] = recording.framing().bounds();
+        let size = (high - low).length();
         for (number, (body, pose)) in shown.bodies.iter().zip(recording.poses(0)).enumerate() {
-            let place = shown.moving.iter().position(|&moving| moving == number);
+            let color = shown.color(number);
             let mut children = Vec::new();
-            for part in &body.shape.parts {
+            let is_seen = body.look.opacity > 0.0;
+            for part in body.shape.parts.iter().filter(|_| is_seen) {
                 let surface = &recording.meshes().meshes()[part.mesh];
                 // A part that is too small to be drawn has no triangles.
                 if surface.triangles.is_empty() {
                     continue;
                 }
-                let mesh = self.mesh(part.mesh, surface, colors::body(place));
+                let mesh = self.mesh(part.mesh, surface, color);
                 children.push(self.add_node(part_node(part, mesh)));
             }
             for half_space in &body.shape.half_spaces {
                 let Some(slab) = slab() else { continue };
-                let mesh = self.mesh(ground, &slab, colors::body(place));
+                let mesh = self.mesh(ground, &slab, color);
                 let side = 2.0 * GROUND_HALF_SIDE * size;
                 let normal = half_space.normal();
                 // The place of its plane that lies under the middle of what is shown.
-                let center = pose.inverse_transform_point(0.5 * (recording.bounds()[0] + recording.bounds()[1]));
+                let center = pose.inverse_transform_point(0.5 * (low + high));
                 let top = center - normal * (normal.dot(center) - half_space.offset());
                 let part = Part {
                     mesh,

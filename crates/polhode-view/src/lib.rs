@@ -7,7 +7,8 @@
 //! | module | holds |
 //! |---|---|
 //! | [`surface_mesh`], [`mod@tessellation`] | triangles, normals and sharp edges of every shape |
-//! | [`shown_scene`], [`mesh_library`] | what is shown: bodies, their parts, and meshes that they share |
+//! | [`shown_scene`], [`shown_body`] | what is shown: bodies and their parts |
+//! | [`mesh_library`] | meshes that bodies share |
 //! | [`quanta`], [`chunk`] | frames as integers, packed |
 //! | `turning` | orientations between two frames |
 //! | `penetration` | how deep bodies overlap, as plots and pages show it |
@@ -16,12 +17,16 @@
 //! | [`page`] | the page writer, which streams while the run goes on |
 //! | [`live`], [`play_page`] | a page that runs a scene itself |
 //! | [`recording`] | poses over time, for pictures and models |
+//! | [`extent`], [`framing`], `planar` | what a picture holds, and whence it is best seen |
+//! | [`fixtures`] | what is drawn of joints, springs and tracks |
+//! | [`overlay`], `annotations` | velocities, forces and paths over a picture; axes, a scale and words on it |
 //! | [`camera`], [`light`], [`raster`] | a software rasteriser with depth, light, shadow and anti-aliasing |
 //! | [`still`], [`animation`] | PNG; GIF, APNG and WebP |
 //! | [`glb`] | animated models as binary glTF |
 //! | [`plot`] | figures as SVG |
 //! | [`error`] | [`ViewError`] |
-//! | `colors` | colours of bodies in pictures and models |
+//! | `colors` | colours of pictures, models and pages |
+//! | `lengths` | numbers and lengths in few letters |
 //! | `text` | data as text inside a page |
 //! | `thinning` | leaving out samples that come too often |
 
@@ -30,10 +35,14 @@ pub mod camera;
 pub mod chunk;
 pub mod error;
 pub mod event_list;
+pub mod extent;
+pub mod fixtures;
+pub mod framing;
 pub mod glb;
 pub mod light;
 pub mod live;
 pub mod mesh_library;
+pub mod overlay;
 pub mod page;
 pub mod play_page;
 pub mod plot;
@@ -41,14 +50,18 @@ pub mod quanta;
 pub mod raster;
 pub mod recording;
 pub mod series;
+pub mod shown_body;
 pub mod shown_scene;
 pub mod still;
 pub mod surface_mesh;
 pub mod tessellation;
 
+mod annotations;
 mod colors;
 mod error_steps;
+mod lengths;
 mod penetration;
+mod planar;
 mod text;
 mod thinning;
 mod turning;

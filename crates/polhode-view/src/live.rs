@@ -1,29 +1,32 @@
 //! What a page shows of a scene that it runs itself: the bodies and meshes of a page, without a motion.
 
+use crate::extent::Extent;
+use crate::framing::add_moving;
 use crate::mesh_library::MeshLibrary;
 use crate::page::{self, VERSION};
 use crate::shown_scene::ShownScene;
 use polhode::Scene;
+use polhode::scene::Appearance;
 use serde_json::{Value, json};
 
-/// The scene as a page shows it at its start.
-pub fn scene_json(scene: &Scene, title: &str, description: &str) -> Value {
+/// The scene as a page shows it at its start; the camera holds what moves as it stands then.
+pub fn scene_json(scene: &Scene, appearance: &Appearance, title: &str, description: &str) -> Value {
     let mut meshes = MeshLibrary::default();
-    let shown = ShownScene::new(scene, &mut meshes);
-    let initial = scene.bodies().iter().map(|body| page::pose_json(body.initial_pose()));
-    let run = json!({
-        "name": scene.name(),
-        "duration_s": scene.duration_s(),
-        "bodies": shown.bodies.iter().map(page::body_json).collect::<Vec<_>>(),
-        "joints": shown.joints.iter().chain(&shown.tracks).map(page::joint_json).collect::<Vec<_>>(),
-        "initial": initial.collect::<Vec<_>>(),
-        "frames": { "count": 0, "times": "", "moving": shown.moving },
-    });
+    let mut shown = ShownScene::new(scene, &mut meshes);
+    shown.show_as(appearance);
+    let initial: Vec<_> = scene.bodies().iter().map(|body| *body.initial_pose()).collect();
+    let mut reach = Extent::new();
+    add_moving(&mut reach, &shown, shown.moving.iter().filter_map(|&body| initial.get(body)));
+    let mut run = page::described(&shown, reach, &initial);
+    run["name"] = json!(scene.name());
+    run["duration_s"] = json!(scene.duration_s());
+    run["frames"] = json!({ "count": 0, "times": "", "moving": shown.moving });
     json!({
         "version": VERSION,
         "title": title,
         "description": description,
         "gravity": scene.gravity().to_array(),
+        "look": page::look_json(),
         "meshes": meshes.meshes().iter().map(page::mesh_json).collect::<Vec<_>>(),
         "runs": [run],
     })

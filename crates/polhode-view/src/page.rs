@@ -5,20 +5,31 @@
 //! over time and events are kept until the end. Layout: the head, the elements of the viewer, the chunks of each run in
 //! order, what is shown as JSON, the report as JSON, the viewer.
 
+use crate::annotations::AXIS_COLORS;
+use crate::camera::{FIELD_OF_VIEW_RAD, MARGIN, PRESETS};
 use crate::chunk::{Chunk, ChunkContact, ChunkDetails, NO_ISLAND};
+use crate::colors;
 use crate::error::ViewError;
 use crate::error_steps::ErrorSteps;
 use crate::event_list::EventList;
+use crate::extent::Extent;
+use crate::fixtures::{Fixture, Link};
+use crate::framing::{Framing, add_moving, frames_looked_at};
+use crate::light::Light;
 use crate::mesh_library::MeshLibrary;
 use crate::quanta::Quanta;
 use crate::series::Series;
-use crate::shown_scene::{JointEnd, ShownBody, ShownJoint, ShownScene};
+use crate::shown_body::JointEnd;
+use crate::shown_scene::ShownScene;
 use crate::surface_mesh::SurfaceMesh;
+use crate::tessellation::Part;
 use crate::text;
 use crate::thinning::Thinning;
+use polhode::scene::{Appearance, Standpoint};
 use polhode::spatial::{DVec3, Pose};
 use polhode::{BodyError, BodySample, Event, Flow, Frame, MotionKind, Observer, Scene};
 use serde_json::{Value, json};
+use std::cmp::Ordering;
 use std::io::Write;
 
 const STYLE: &str = include_str!("../viewer/viewer.css");
@@ -59,6 +70,8 @@ pub struct Page<W> {
     meshes: MeshLibrary,
     runs: Vec<Value>,
     at_first: AtFirst,
+    /// What would move first, as HTML.
+    mechanism: Option<String>,
 }
 
 impl<W: Write> Page<W> {
@@ -83,6 +96,7 @@ impl<W: Write> Page<W> {
             meshes: MeshLibrary::default(),
             runs: Vec::new(),
             at_first: AtFirst::default(),
+            mechanism: None,
         })
     }
 
@@ -112,9 +126,11 @@ impl<W: Write> Page<W> {
             source,
             quanta,
             thinning: Thinning::new(scene.duration_s() / MOST_FRAMES),
+            looks: Thinning::new(scene.duration_s() / frames_looked_at(shown.moving.len()) as f64),
+            reach: Extent::new(),
             shown,
             put_off: None,
-            initial: Value::Null,
+            initial: Vec::new(),
             times: Vec::new(),
             chunks: Vec::new(),
             series: Series::default(),
@@ -137,10 +153,14 @@ impl<W: Write> Page<W> {
             "title": self.title,
             "description": self.description,
             "gravity": self.gravity,
+            "look": look_json(),
             "plays_at_once": self.at_first == AtFirst::Plays,
             "meshes": self.meshes.meshes().iter().map(mesh_json).collect::<Vec<_>>(),
             "runs": self.runs,
         });
+        if let Some(figure) = &self.mechanism {
+            writeln!(self.out, "<template id=\"polhode-mechanism\">{figure}</template>")?;
+        }
         for (id, value) in [("polhode-show", &show), ("polhode-report", report)] {
             let json = text::json_in_html(&value.to_string());
             writeln!(self.out, "<script id=\"{id}\" type=\"application/json\">{json}</script>")?;
@@ -163,9 +183,13 @@ pub struct PageRun<W> {
     quanta: Quanta,
     chunk: Chunk,
     thinning: Thinning,
+    /// Which frames are looked at to find how far the motion reaches, and how far it does.
+    looks: Thinning,
+    reach: Extent,
     /// The last sample, when it has not been shown.
     put_off: Option<(f64, Vec<BodySample>, Option<Frame>)>,
-    initial: Value,
+    /// Poses of all bodies in the first frame.
+    initial: Vec<Pose>,
     times: Vec<f64>,
     chunks: Vec<Value>,
     series: Series,
@@ -174,7 +198,26 @@ pub struct PageRun<W> {
     fault: Option<ViewError>,
 }
 
+impl<W> PageRun<W> {
+    /// Whether it is the first run of its page.
+    pub fn is_first(&self) -> bool {
+        self.page.runs.is_empty()
+    }
+
+    /// Shows what of its bodies at rest would move first: a figure as SVG, below a line that says it.
+    pub fn show_mechanism(&mut self, caption: &str, figure: &str) {
+        self.page.mechanism = Some(format!("<p>{}</p>{figure}", text::html(caption)));
+    }
+}
+
 impl<W: Write> PageRun<W> {
+    /// Shown as the file of the scene wants it.
+    #[must_use]
+    pub fn shown_as(mut self, appearance: &Appearance) -> Self {
+        self.shown.show_as(appearance);
+        self
+    }
+
     /// With frames at least this far apart, s.
     pub fn with_least_interval(mut self, interval_s: f64) -> Self {
         self.thinning = Thinning::new(interval_s.max(self.shown.duration_s / MOST_FRAMES));
@@ -202,27 +245,23 @@ impl<W: Write> PageRun<W> {
             FrameSource::Simulation => self.shown.duration_s,
             FrameSource::Trajectory => self.times.last().copied().unwrap_or_default(),
         };
-        let run = json!({
-            "name": self.name,
-            "outcome": outcome,
-            "duration_s": duration_s,
-            "bodies": self.shown.bodies.iter().map(body_json).collect::<Vec<_>>(),
-            "joints": self.shown.joints.iter().chain(&self.shown.tracks).map(joint_json).collect::<Vec<_>>(),
-            "initial": self.initial,
-            "frames": {
-                "count": self.times.len(),
-                "times": text::base64_f64(&self.times),
-                "position_quantum_m": self.quanta.position_m,
-                "velocity_quantum_m_s": self.quanta.velocity_m_s,
-                "spin_quantum_rad_s": self.quanta.spin_rad_s,
-                "moving": self.shown.moving,
-                "contacts": self.source == FrameSource::Simulation,
-                "chunks": self.chunks,
-            },
-            "series": self.series.json(),
-            "errors": self.errors.json(),
-            "events": self.events.into_events(),
+        let mut run = described(&self.shown, self.reach, &self.initial);
+        run["name"] = json!(self.name);
+        run["outcome"] = json!(outcome);
+        run["duration_s"] = json!(duration_s);
+        run["frames"] = json!({
+            "count": self.times.len(),
+            "times": text::base64_f64(&self.times),
+            "position_quantum_m": self.quanta.position_m,
+            "velocity_quantum_m_s": self.quanta.velocity_m_s,
+            "spin_quantum_rad_s": self.quanta.spin_rad_s,
+            "moving": self.shown.moving,
+            "contacts": self.source == FrameSource::Simulation,
+            "chunks": self.chunks,
         });
+        run["series"] = self.series.json();
+        run["errors"] = self.errors.json();
+        run["events"] = json!(self.events.into_events());
         self.page.runs.push(run);
         Ok(self.page)
     }
@@ -255,7 +294,10 @@ impl<W: Write> PageRun<W> {
             return Err(ViewError::NotFinite { t_s: t, body: self.shown.bodies[body].name.clone() });
         }
         if self.times.is_empty() {
-            self.initial = bodies.iter().map(|sample| pose_json(&sample.pose)).collect();
+            self.initial = bodies.iter().map(|sample| sample.pose).collect();
+        }
+        if self.looks.shows(t) {
+            add_moving(&mut self.reach, &self.shown, self.shown.moving.iter().map(|&body| &bodies[body].pose));
         }
         self.times.push(t);
         let details = frame.map(|frame| details(frame, &self.shown.moving, self.quanta));
@@ -347,7 +389,63 @@ fn details(frame: &Frame, moving: &[usize], quanta: Quanta) -> ChunkDetails {
     }
 }
 
-pub(crate) fn pose_json(pose: &Pose) -> Value {
+/// What is shown of a scene, without its motion: bodies, joints, where they stand at first, and what a camera holds of
+/// a motion that reaches so far.
+pub(crate) fn described(shown: &ShownScene, reach: Extent, initial: &[Pose]) -> Value {
+    json!({
+        "bodies": (0..shown.bodies.len()).map(|body| body_json(shown, body)).collect::<Vec<_>>(),
+        "joints": shown.joints,
+        "fixtures": shown.fixtures.parts.iter().map(fixture_json).collect::<Vec<_>>(),
+        "links": shown.fixtures.links.iter().map(link_json).collect::<Vec<_>>(),
+        "initial": initial.iter().map(pose_json).collect::<Vec<_>>(),
+        "frame": frame_json(&Framing::new(shown, reach, initial)),
+    })
+}
+
+/// What page and picture have in common: camera, light and colours.
+pub(crate) fn look_json() -> Value {
+    let light = Light::default();
+    let presets = PRESETS.map(|(name, from)| json!({ "name": name, "from": from.to_array() }));
+    json!({
+        "field_of_view_rad": FIELD_OF_VIEW_RAD,
+        "margin": MARGIN,
+        "cameras": presets,
+        "light": {
+            "towards": light.towards.to_array(),
+            "lamp": light.lamp,
+            "ambient": light.ambient,
+            "sky": light.sky,
+        },
+        "fixture": colors::hexadecimal(colors::FIXTURE),
+        "axes": AXIS_COLORS.map(colors::hexadecimal),
+    })
+}
+
+/// What the page's camera holds, and from where it looks.
+fn frame_json(framing: &Framing) -> Value {
+    let points = |extent: &Extent| {
+        let mut points: Vec<[f64; 3]> = extent.points().map(|point| point.to_array()).collect();
+        points.sort_by(|a, b| {
+            a.iter().zip(b).map(|(a, b)| a.total_cmp(b)).find(|o| o.is_ne()).unwrap_or(Ordering::Equal)
+        });
+        points.dedup();
+        points
+    };
+    let (from, eye) = match framing.viewpoint.standpoint {
+        Some(Standpoint::Eye(eye)) => (Value::Null, json!(eye.to_array())),
+        Some(Standpoint::Direction(from)) => (json!(from.to_array()), Value::Null),
+        None => (Value::Null, Value::Null),
+    };
+    json!({
+        "from": from,
+        "eye": eye,
+        "look_at": framing.viewpoint.target.map(|target| target.to_array()),
+        "moving": points(&framing.moving),
+        "standing": points(&framing.standing),
+    })
+}
+
+fn pose_json(pose: &Pose) -> Value {
     let (p, [w, x, y, z]) = (pose.translation, pose.rotation.to_wxyz());
     json!([p.x, p.y, p.z, w, x, y, z])
 }
@@ -365,23 +463,33 @@ pub(crate) fn mesh_json(mesh: &SurfaceMesh) -> Value {
     })
 }
 
-pub(crate) fn joint_json(joint: &ShownJoint) -> Value {
-    let ends = joint.ends.map(|JointEnd { body, point }| json!({ "body": body, "point": point.to_array() }));
-    json!({ "link": joint.is_link, "ends": ends })
+fn part_json(part: &Part) -> Value {
+    json!({
+        "mesh": part.mesh,
+        "position": part.position.to_array(),
+        "orientation": part.orientation.to_wxyz(),
+        "scale": part.scale.to_array(),
+    })
 }
 
-pub(crate) fn body_json(body: &ShownBody) -> Value {
-    let parts = body.shape.parts.iter().map(|part| {
-        json!({
-            "mesh": part.mesh,
-            "position": part.position.to_array(),
-            "orientation": part.orientation.to_wxyz(),
-            "scale": part.scale.to_array(),
-        })
-    });
+fn fixture_json(fixture: &Fixture) -> Value {
+    json!({ "body": fixture.body, "part": part_json(&fixture.part) })
+}
+
+fn link_json(link: &Link) -> Value {
+    let ends = link.ends.map(|JointEnd { body, point }| json!({ "body": body, "point": point.to_array() }));
+    json!({ "kind": link.kind.name(), "ends": ends, "radius_m": link.radius_m, "length_m": link.length_m })
+}
+
+fn body_json(shown: &ShownScene, number: usize) -> Value {
+    let body = &shown.bodies[number];
+    let parts = body.shape.parts.iter().map(part_json);
     let half_spaces = body.shape.half_spaces.iter();
     json!({
         "name": body.name,
+        "colour": colors::hexadecimal(shown.color(number)),
+        "label": body.look.label,
+        "opacity": body.look.opacity,
         "moves": body.moves,
         "mass_kg": body.mass_kg,
         "center_of_mass": body.center_of_mass.to_array(),

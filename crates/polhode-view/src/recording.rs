@@ -1,24 +1,28 @@
 //! Poses over time, kept in memory: what pictures and models are made from.
 
 use crate::error::ViewError;
+use crate::extent::Extent;
+use crate::framing::{Framing, add_moving, frames_looked_at, is_lost};
 use crate::mesh_library::MeshLibrary;
-use crate::shown_scene::{ShownBody, ShownScene};
+use crate::overlay::Touch;
+use crate::shown_scene::ShownScene;
 use crate::thinning::Thinning;
 use crate::turning::Turning;
+use polhode::scene::Appearance;
 use polhode::spatial::{DVec3, Pose};
-use polhode::{BodySample, Flow, Observer, Scene};
-
-/// Size of a standing body up to which it is in the picture whole, in sizes of what moves.
-const LARGEST_BESIDE: f64 = 1.5;
-/// Distance up to which a standing body is in the picture whole, in sizes of what moves.
-const FARTHEST_BESIDE: f64 = 1.0;
+use polhode::{BodySample, Flow, Frame, Observer, Scene};
 
 /// Bodies of which a picture shows the paths at the most: of more it shows a crowd.
 pub const MOST_PATHS: usize = 64;
 /// Frames of the path that leads to a still.
 const PATH_FRAMES: f64 = 1000.0;
-/// A body whose path is longer than this many times its size is lost in a picture of the path.
-const LOST: f64 = 60.0;
+
+/// What is kept of forces.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Keeps {
+    Nothing,
+    Forces,
+}
 
 /// The motion of a scene: an [`Observer`] that keeps the poses of the bodies that move.
 #[derive(Debug)]
@@ -31,6 +35,11 @@ pub struct Recording {
     poses: Vec<Vec<Pose>>,
     /// Angular velocities in the world (rad/s), as the poses.
     spins: Vec<Vec<DVec3>>,
+    /// Velocities of centres of mass in the world (m/s), as the poses.
+    speeds: Vec<Vec<DVec3>>,
+    /// Forces of contacts and joints by time, if they are kept, s.
+    touches: Vec<(f64, Vec<Touch>)>,
+    keeps: Keeps,
     /// Poses of all bodies in the first frame.
     initial: Vec<Pose>,
     put_off: Option<(f64, Vec<BodySample>)>,
@@ -54,6 +63,9 @@ impl Recording {
             times: Vec::new(),
             poses: Vec::new(),
             spins: Vec::new(),
+            speeds: Vec::new(),
+            touches: Vec::new(),
+            keeps: Keeps::Nothing,
             initial: Vec::new(),
             put_off: None,
             fault: None,
@@ -80,6 +92,19 @@ impl Recording {
         Ok(if is_marked { recording } else { Self { thinning: Thinning::new(f64::INFINITY), ..recording } })
     }
 
+    /// Shown as the file of the scene wants it.
+    #[must_use]
+    pub fn shown_as(mut self, appearance: &Appearance) -> Self {
+        self.shown.show_as(appearance);
+        self
+    }
+
+    /// With the forces of contacts and joints, for overlays.
+    #[must_use]
+    pub fn with_forces(self) -> Self {
+        Self { keeps: Keeps::Forces, ..self }
+    }
+
     /// Ends it with the bodies at a time, s.
     ///
     /// # Errors
@@ -90,6 +115,7 @@ impl Recording {
             self.times.pop();
             self.poses.pop();
             self.spins.pop();
+            self.speeds.pop();
         }
         self.add(t_s, bodies)?;
         self.end()
@@ -126,6 +152,8 @@ impl Recording {
         // What is no number turns nothing.
         let spin = |&body: &usize| Some(bodies[body].velocity.angular).filter(|w| w.is_finite()).unwrap_or_default();
         self.spins.push(self.shown.moving.iter().map(spin).collect());
+        let speed = |&body: &usize| Some(bodies[body].velocity.linear).filter(|v| v.is_finite()).unwrap_or_default();
+        self.speeds.push(self.shown.moving.iter().map(speed).collect());
         Ok(())
     }
 
@@ -194,63 +222,44 @@ impl Recording {
         }
     }
 
-    /// Corners of the box that a camera looks at in all frames, m: around the bodies that move, and around those
-    /// standing bodies that are near them and of their size. Where none moves, around all.
-    pub fn bounds(&self) -> [DVec3; 2] {
-        self.bounds_of(&self.poses)
+    /// Velocities of the centres of mass (m/s) and angular velocities (rad/s) of the bodies that move in a frame.
+    pub(crate) fn velocities(&self, frame: usize) -> impl Iterator<Item = [DVec3; 2]> + '_ {
+        let (speeds, spins) = (self.speeds.get(frame), self.spins.get(frame));
+        speeds.into_iter().flatten().zip(spins.into_iter().flatten()).map(|(&speed, &spin)| [speed, spin])
     }
 
-    /// Corners of the box that a camera looks at in one frame, m: that around the bodies as they stand then; where they
-    /// are too small to be seen beside the path that they have come, around that path and what attracts them.
-    pub fn bounds_at(&self, frame: usize) -> [DVec3; 2] {
-        let path = &self.poses[..self.poses.len().min(frame + 1)];
-        let mut along = self.bounds_of(path);
-        let largest = self.shown.moving.iter().map(|&body| self.shown.bodies[body].size_m()).fold(0.0, f64::max);
-        if (along[1] - along[0]).length() <= LOST * largest || largest == 0.0 {
-            return self.bounds_of(path.get(frame..).unwrap_or_default());
-        }
-        for &center in &self.shown.centers {
-            along = [along[0].min(center), along[1].max(center)];
-        }
-        along
+    /// The forces of contacts and joints that are kept for a frame: those of the last time that is not after it.
+    pub(crate) fn touches(&self, frame: usize) -> &[Touch] {
+        let t = self.times.get(frame).copied().unwrap_or(f64::NAN);
+        let after = self.touches.partition_point(|(time, _)| *time <= t);
+        after.checked_sub(1).and_then(|last| self.touches.get(last)).map_or(&[], |(_, touches)| touches)
     }
 
-    fn bounds_of(&self, frames: &[Vec<Pose>]) -> [DVec3; 2] {
-        let mut moving: Option<[DVec3; 2]> = None;
-        for poses in frames {
-            for (&body, pose) in self.shown.moving.iter().zip(poses) {
-                add_box(&mut moving, &self.shown.bodies[body], pose);
-            }
-        }
-        let mut all = moving;
-        for (body, pose) in self.shown.bodies.iter().zip(&self.initial).filter(|(body, _)| !body.moves) {
-            let mut own = None;
-            add_box(&mut own, body, pose);
-            if let Some(own) = own
-                && moving.is_none_or(|moving| is_beside(own, moving))
-            {
-                add_box(&mut all, body, pose);
-            }
-        }
-        all.unwrap_or([DVec3::splat(-1.0), DVec3::ONE])
+    /// What a camera holds in all frames.
+    pub fn framing(&self) -> Framing {
+        self.framing_of(0..self.poses.len())
     }
-}
 
-/// Whether a box is near another one and not much larger.
-fn is_beside(own: [DVec3; 2], other: [DVec3; 2]) -> bool {
-    let (size, room) = ((own[1] - own[0]).length(), (other[1] - other[0]).length());
-    let apart = 0.5 * ((own[0] + own[1]) - (other[0] + other[1])).length();
-    size <= LARGEST_BESIDE * room && apart <= FARTHEST_BESIDE * room
-}
+    /// What a camera holds in one frame: the bodies as they stand then; where they are too small to be seen beside the
+    /// path that they have come, that path and what attracts them.
+    pub fn framing_at(&self, frame: usize) -> Framing {
+        let along = self.framing_of(0..frame + 1);
+        if self.shown.frame.is_some() || is_lost(&self.shown, &along.moving) {
+            return along;
+        }
+        self.framing_of(frame..frame + 1)
+    }
 
-/// Widens a box to the corners of the box of a body.
-fn add_box(bounds: &mut Option<[DVec3; 2]>, body: &ShownBody, pose: &Pose) {
-    let Some(corners) = body.bounds else { return };
-    for corner in 0..8 {
-        let pick = |axis: usize| corners[corner >> axis & 1][axis];
-        let place = pose.transform_point(DVec3::new(pick(0), pick(1), pick(2)));
-        let [low, high] = bounds.unwrap_or([place; 2]);
-        *bounds = Some([low.min(place), high.max(place)]);
+    /// What a camera holds in a range of frames.
+    fn framing_of(&self, frames: std::ops::Range<usize>) -> Framing {
+        let frames = frames.start..frames.end.min(self.poses.len());
+        let stride = (frames.len() / frames_looked_at(self.shown.moving.len())).max(1);
+        let last = frames.end.checked_sub(1);
+        let mut moving = Extent::new();
+        for frame in frames.step_by(stride).chain(last) {
+            add_moving(&mut moving, &self.shown, self.poses[frame].iter());
+        }
+        Framing::new(&self.shown, moving, &self.initial)
     }
 }
 
@@ -265,6 +274,14 @@ impl Observer for Recording {
         } else {
             self.put_off = Some((t, bodies.to_vec()));
         }
+    }
+
+    fn wants_frames(&self) -> bool {
+        self.keeps == Keeps::Forces
+    }
+
+    fn frame(&mut self, frame: &Frame) {
+        self.touches.push((frame.t_s, Touch::of_frame(frame, &self.shown)));
     }
 
     fn progress(&mut self, _t: f64) -> Flow {

@@ -1,70 +1,16 @@
 //! What is shown of a scene: its bodies as parts.
 
+use crate::camera::{FROM, Viewpoint};
+use crate::colors;
+use crate::fixtures::Fixtures;
 use crate::mesh_library::MeshLibrary;
+use crate::planar;
+use crate::shown_body::ShownBody;
 use crate::tessellation::parts::equivalent_ellipsoid;
 use crate::tessellation::{Detail, Parts, parts_of};
-use polhode::scene::{Force, Joint, JointKind};
-use polhode::spatial::{DVec3, MassProperties, Pose};
-use polhode::{Body, BodyId, Scene};
-use std::collections::BTreeSet;
-
-/// A body as it is shown.
-#[derive(Debug, Clone)]
-pub struct ShownBody {
-    /// Its name.
-    pub name: String,
-    /// Whether it may move, by forces or as prescribed.
-    pub moves: bool,
-    /// Mass, kg, when forces move it.
-    pub mass_kg: Option<f64>,
-    /// Centre of mass in the body's frame, m.
-    pub center_of_mass: DVec3,
-    /// Principal moments of inertia, ascending, kg m^2.
-    pub principal_moments: Option<DVec3>,
-    /// `R_PB`, scalar first: from the body's axes to the principal ones.
-    pub principal_axes: [f64; 4],
-    /// What is drawn.
-    pub shape: Parts,
-    /// Smallest and largest coordinates of the parts in the body's frame, m.
-    pub bounds: Option<[DVec3; 2]>,
-    /// Pose at the start.
-    pub initial: Pose,
-}
-
-impl ShownBody {
-    /// Largest distance of its parts from its origin, m.
-    pub fn reach_m(&self) -> f64 {
-        self.bounds.map_or(0.0, |[low, high]| low.abs().max(high.abs()).length())
-    }
-
-    /// The middle of the box around its parts in a pose, in the world, m; its origin where it has none.
-    pub fn middle(&self, pose: &Pose) -> DVec3 {
-        self.bounds.map_or(pose.translation, |[low, high]| pose.transform_point(0.5 * (low + high)))
-    }
-
-    /// Length of the diagonal of the box around its parts, m.
-    pub fn size_m(&self) -> f64 {
-        self.bounds.map_or(0.0, |[low, high]| (high - low).length())
-    }
-}
-
-/// A joint as it is shown.
-#[derive(Debug, Clone, Copy)]
-pub struct ShownJoint {
-    /// Whether it is a rod or a rope, drawn as a line between its ends.
-    pub is_link: bool,
-    /// Where it holds its bodies.
-    pub ends: [JointEnd; 2],
-}
-
-/// An end of a joint.
-#[derive(Debug, Clone, Copy)]
-pub struct JointEnd {
-    /// Number of the body; none of an end in the world.
-    pub body: Option<usize>,
-    /// In the frame of the body, or in the world, m.
-    pub point: DVec3,
-}
+use polhode::scene::{Appearance, BodyLook, Force};
+use polhode::spatial::{DVec3, MassProperties};
+use polhode::{Body, Scene};
 
 /// A scene as it is shown.
 #[derive(Debug, Clone)]
@@ -81,10 +27,16 @@ pub struct ShownScene {
     pub moving: Vec<usize>,
     /// Points that attract all bodies, m.
     pub centers: Vec<DVec3>,
-    /// Its joints, in the order of the scene.
-    pub joints: Vec<ShownJoint>,
-    /// The chords of the curves that its bodies are held to, as links.
-    pub tracks: Vec<ShownJoint>,
+    /// How many joints it has.
+    pub joints: usize,
+    /// What is drawn of joints, springs and tracks.
+    pub fixtures: Fixtures,
+    /// From where its file wants it shown.
+    pub viewpoint: Viewpoint,
+    /// Corners of a box that pictures hold, m; without it what is there.
+    pub frame: Option<[DVec3; 2]>,
+    /// Direction towards the camera when nobody says another.
+    pub usual_from: DVec3,
 }
 
 impl ShownScene {
@@ -101,46 +53,38 @@ impl ShownScene {
             name: scene.name().to_owned(),
             gravity: scene.gravity(),
             duration_s: scene.duration_s(),
+            fixtures: Fixtures::new(scene, &bodies, library),
             bodies,
             moving,
             centers: centers.collect(),
-            joints: scene.joints().iter().map(|joint| shown_joint(scene, joint)).collect(),
-            tracks: shown_tracks(scene),
+            joints: scene.joints().len(),
+            viewpoint: Viewpoint::default(),
+            frame: None,
+            usual_from: planar::square_on(scene).unwrap_or(FROM),
         }
     }
-}
 
-fn shown_joint(scene: &Scene, joint: &Joint) -> ShownJoint {
-    ShownJoint {
-        is_link: matches!(joint.kind(), JointKind::Rod { .. } | JointKind::Rope { .. }),
-        ends: [end(scene, Some(joint.body()), joint.anchor()), end(scene, joint.other(), joint.other_anchor())],
-    }
-}
-
-/// Chords of tracks, once for each body that a track is fixed in.
-fn shown_tracks(scene: &Scene) -> Vec<ShownJoint> {
-    let mut drawn = BTreeSet::new();
-    let mut chords = Vec::new();
-    for joint in scene.joints() {
-        let JointKind::Track { track, .. } = joint.kind() else { continue };
-        let Some(curve) = scene.tracks().get(track.index()) else { continue };
-        if !drawn.insert((track, joint.other())) {
-            continue;
-        }
-        for pair in curve.polyline().windows(2) {
-            chords.push(ShownJoint {
-                is_link: true,
-                ends: [pair[0], pair[1]].map(|place| end(scene, joint.other(), place)),
-            });
+    /// Shows it as its file wants it.
+    pub fn show_as(&mut self, appearance: &Appearance) {
+        self.viewpoint = Viewpoint { standpoint: appearance.standpoint, target: appearance.look_at };
+        self.frame = appearance.frame;
+        for (body, look) in &appearance.bodies {
+            if let Some(shown) = self.bodies.get_mut(body.index()) {
+                shown.look = look.clone();
+            }
         }
     }
-    chords
-}
 
-fn end(scene: &Scene, body: Option<BodyId>, place: DVec3) -> JointEnd {
-    let body = body.map(BodyId::index);
-    let pose = body.and_then(|body| scene.bodies().get(body)).map(|body| *body.initial_pose());
-    JointEnd { body, point: pose.map_or(place, |pose| pose.inverse_transform_point(place)) }
+    /// Colour of a body: its own, one of the palette by its place among those that move, or that of what stands; sRGB.
+    pub fn color(&self, body: usize) -> [u8; 3] {
+        let own = self.bodies.get(body).and_then(|shown| shown.look.color);
+        own.unwrap_or_else(|| colors::of_place(self.moving.binary_search(&body).ok()))
+    }
+
+    /// The direction against gravity; z without any.
+    pub fn up(&self) -> DVec3 {
+        (-self.gravity).try_normalize().unwrap_or(DVec3::Z)
+    }
 }
 
 fn shown(body: &Body, detail: Detail, library: &mut MeshLibrary) -> ShownBody {
@@ -161,6 +105,7 @@ fn shown(body: &Body, detail: Detail, library: &mut MeshLibrary) -> ShownBody {
         bounds: bounds(&shape, library),
         initial: *body.initial_pose(),
         shape,
+        look: BodyLook::default(),
     }
 }
 

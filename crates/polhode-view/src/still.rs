@@ -1,19 +1,21 @@
 //! Stills: one frame as a PNG picture.
 
+use crate::annotations::{Annotations, Largest};
 use crate::camera::{Camera, Viewpoint};
 use crate::error::ViewError;
 use crate::light::Light;
+use crate::overlay::Overlay;
 use crate::raster::{Marks, Picture, PictureSize, SceneTriangles, draw};
 use crate::recording::Recording;
 use polhode::spatial::DVec3;
 use std::io::Write;
 
-/// Draws a frame of a recording: the bodies that move, in the middle, from the front, a little from the right and
-/// above.
-pub fn still(recording: &Recording, frame: usize, size: PictureSize) -> Picture {
-    let bounds = recording.bounds_at(frame);
-    let camera = Camera::for_box(bounds, size.aspect());
-    frame_from(recording, frame, camera, bounds, size)
+/// Draws a frame of a recording as its scene wants it, or whence it is best seen.
+///
+/// # Errors
+/// When the scene wants a camera that looks nowhere.
+pub fn still(recording: &Recording, frame: usize, size: PictureSize) -> Result<Picture, ViewError> {
+    still_from(recording, frame, &Viewpoint::default(), size)
 }
 
 /// Draws a frame of a recording from a viewpoint.
@@ -26,12 +28,29 @@ pub fn still_from(
     viewpoint: &Viewpoint,
     size: PictureSize,
 ) -> Result<Picture, ViewError> {
-    let bounds = recording.bounds_at(frame);
-    let camera = viewpoint.camera(bounds, size.aspect())?;
-    Ok(frame_from(recording, frame, camera, bounds, size))
+    still_with(recording, frame, viewpoint, size, &[])
 }
 
-/// Draws a frame as a camera sees it.
+/// Draws a frame of a recording from a viewpoint, with overlays.
+///
+/// # Errors
+/// When the viewpoint looks nowhere.
+pub fn still_with(
+    recording: &Recording,
+    frame: usize,
+    viewpoint: &Viewpoint,
+    size: PictureSize,
+    overlays: &[Overlay],
+) -> Result<Picture, ViewError> {
+    let framing = recording.framing_at(frame);
+    let (camera, bounds) = (framing.camera(viewpoint, size.aspect())?, framing.bounds());
+    let mut picture = frame_from(recording, frame, camera, bounds, size);
+    let largest = Largest::of(recording, frame..frame + 1);
+    Annotations { recording, frame, camera, bounds, overlays, largest }.draw(&mut picture);
+    Ok(picture)
+}
+
+/// Draws a frame as a camera sees it, without anything written on it.
 pub fn frame_from(
     recording: &Recording,
     frame: usize,

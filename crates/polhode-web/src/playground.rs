@@ -45,7 +45,12 @@ impl Playground {
         let changes: Vec<Override> = changes.lines().filter_map(|line| Override::parse(PAGE, line)).collect();
         let own = play::Playground::new(ORIGIN, text, self.files.frozen(), &changes).map_err(|error| thrown(&error))?;
         let loaded = own.loaded();
-        let shown = live::scene_json(&loaded.scene, &loaded.title(), &loaded.description().unwrap_or_default());
+        let shown = live::scene_json(
+            &loaded.scene,
+            loaded.appearance(),
+            &loaded.title(),
+            &loaded.description().unwrap_or_default(),
+        );
         self.own = Some(own);
         Ok(shown.to_string())
     }

@@ -1,8 +1,8 @@
 //! `cargo xtask gallery`: stills and document (committed), the page and its viewers (built).
 
-use super::selection::{FILE, Selection};
+use super::selection::FILE;
 use super::shown::ShownScenes;
-use super::{document, page, picture, viewer_page};
+use super::{document, moving, page, picture, viewer_page};
 use clap::Args;
 use polhode_cases::{Amount, Context};
 use std::error::Error;
@@ -52,28 +52,37 @@ fn write_stills(folder: &Path, shown: &ShownScenes) -> Result<(), Box<dyn Error>
     fs::create_dir_all(folder)?;
     for still in &shown.selection.stills {
         let Some(scene) = shown.of_still(still) else { continue };
-        let drawn = picture::draw(still, &scene.run)?;
+        let drawn = picture::draw(still, &scene.loaded, &scene.run)?;
         let path = folder.join(still.file());
         if !picture::read_rgb(&path).is_ok_and(|rgb| rgb == drawn.rgb) {
             eprintln!("gallery: new still {}", still.name);
             fs::write(&path, picture::png(&drawn)?)?;
         }
     }
-    for name in strangers(folder, &shown.selection)? {
+    for group in &shown.groups.groups {
+        let Some(scene) = shown.scenes.get(&group.moving) else { continue };
+        let (path, gif) = (folder.join(group.file()), moving::gif(scene)?);
+        if !fs::read(&path).is_ok_and(|bytes| bytes == gif) {
+            eprintln!("gallery: new moving picture {}", group.moving);
+            fs::write(&path, gif)?;
+        }
+    }
+    for name in strangers(folder, shown)? {
         fs::remove_file(folder.join(name))?;
     }
     Ok(())
 }
 
-/// Files in the folder of the stills that are none of them.
+/// Files in the folder of the stills that are none of them, and no moving picture.
 ///
 /// # Errors
 /// When the folder cannot be read.
-pub(super) fn strangers(folder: &Path, selection: &Selection) -> Result<Vec<String>, Box<dyn Error>> {
+pub(super) fn strangers(folder: &Path, shown: &ShownScenes) -> Result<Vec<String>, Box<dyn Error>> {
     let mut names = Vec::new();
     for entry in fs::read_dir(folder)? {
         let name = entry?.file_name().to_string_lossy().into_owned();
-        if !selection.stills.iter().any(|still| still.file() == name) {
+        let is_still = shown.selection.stills.iter().any(|still| still.file() == name);
+        if !is_still && !shown.groups.groups.iter().any(|group| group.file() == name) {
             names.push(name);
         }
     }
@@ -86,6 +95,9 @@ fn write_pages(output: &Path, stills: &Path, shown: &ShownScenes) -> Result<(), 
     fs::create_dir_all(output.join("stills")).map_err(|error| format!("{}: {error}", output.display()))?;
     for still in &shown.selection.stills {
         fs::copy(stills.join(still.file()), output.join("stills").join(still.file()))?;
+    }
+    for group in &shown.groups.groups {
+        fs::copy(stills.join(group.file()), output.join("stills").join(group.file()))?;
     }
     for (name, scene) in &shown.scenes {
         eprintln!("gallery: page of {name}");

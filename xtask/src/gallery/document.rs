@@ -1,4 +1,5 @@
-//! The document with the stills: the videos of the thesis first, then all other scenes.
+//! The document with the stills: the videos of the thesis first, then all other scenes in groups, each with a moving
+//! picture.
 
 use super::selection::Still;
 use super::shown::{Shown, ShownScenes};
@@ -7,7 +8,8 @@ use std::fmt::Write as _;
 /// What stands before the stills.
 const INTRODUCTION: &str = "# Gallery
 
-The scenes in `fixtures/scenes`, each by a still of `polhode view`, made by `cargo xtask gallery`. That command also
+The scenes in `fixtures/scenes`, each by a still of `polhode view`, and a moving picture of each group of them, made by
+`cargo xtask gallery`; `polhode scenes` prints the groups. That command also
 builds a page of them all, with a viewer of each and the figures of its run: open `target/gallery/index.html` in a
 browser. `polhode view fixtures/scenes/NAME.toml` makes the viewer of one scene.
 
@@ -19,7 +21,7 @@ other. The text of the thesis names the fault of each video, and bodies and numb
 scenes have their own.
 ";
 
-/// Stills beside each other in the list of the other scenes.
+/// Stills beside each other in a group.
 const COLUMNS: usize = 2;
 
 /// The document.
@@ -29,10 +31,16 @@ pub(super) fn text(shown: &ShownScenes) -> String {
         let _ = write!(text, "\n### Video {}: {}\n\n", video.number, video.subject);
         text.push_str(&table(&shown.selection.of_video(video), shown));
     }
-    text.push_str("\n## Other scenes\n");
-    for row in shown.selection.others().chunks(COLUMNS) {
-        text.push('\n');
-        text.push_str(&table(row, shown));
+    for group in &shown.groups.groups {
+        let _ = write!(text, "\n## {}\n\n{}\n", group.title, group.about);
+        if let Some(scene) = shown.scenes.get(&group.moving) {
+            let title = scene.loaded.title();
+            let _ = write!(text, "\n![{title}](gallery/{}) \\\n**{title}** (`{}`).\n", group.file(), group.moving);
+        }
+        for row in shown.groups.rows(group, &shown.selection, COLUMNS) {
+            text.push('\n');
+            text.push_str(&table(&row, shown));
+        }
     }
     text
 }

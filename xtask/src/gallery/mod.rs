@@ -11,6 +11,8 @@
 //! | `selection` | which stills there are, and which show the videos of the thesis |
 //! | `picture` | drawing a still, writing it and reading it back |
 //! | `shown` | the shipped scenes with their runs |
+//! | `groups` | the scenes in groups |
+//! | `moving` | the moving picture of a group |
 //! | `figures` | what a run took and how exact it was |
 //! | `viewer_page` | pages that play one scene, or two beside each other |
 //! | `page` | the page of the gallery |
@@ -20,6 +22,8 @@ mod check;
 mod command;
 mod document;
 mod figures;
+mod groups;
+mod moving;
 mod page;
 mod picture;
 mod selection;

@@ -39,11 +39,25 @@ pub(super) fn text(shown: &ShownScenes) -> String {
         }
         text.push_str("</div>\n</section>\n");
     }
-    text.push_str("<h2>Other scenes</h2>\n<div class=\"cards\">\n");
-    for still in shown.selection.others() {
-        text.push_str(&card(still, "", shown));
+    for group in &shown.groups.groups {
+        let _ = write!(
+            text,
+            "<h2>{}</h2>\n<p>{}</p>\n<p><img src=\"stills/{}\" width=\"320\" height=\"200\" loading=\"lazy\" \
+             alt=\"{}\"></p>\n",
+            html(&group.title),
+            html(&group.about),
+            group.file(),
+            html(&group.moving)
+        );
+        for row in shown.groups.rows(group, &shown.selection, usize::MAX) {
+            text.push_str("<div class=\"cards\">\n");
+            for still in &row {
+                text.push_str(&card(still, "", shown));
+            }
+            text.push_str("</div>\n");
+        }
     }
-    text.push_str("</div>\n</main>\n</body>\n</html>\n");
+    text.push_str("</main>\n</body>\n</html>\n");
     text
 }
 

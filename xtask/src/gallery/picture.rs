@@ -1,12 +1,12 @@
 //! Drawing a still, writing it as a file and reading it back.
 
 use super::selection::Still;
-use glam::DVec3;
+use polhode::Observer as _;
 use polhode_cases::Run;
+use polhode_scene::LoadedScene;
 use polhode_view::Recording;
-use polhode_view::camera::Camera;
 use polhode_view::raster::{Picture, PictureSize};
-use polhode_view::still::{frame_from, write_png};
+use polhode_view::still::{still as draw_still, write_png};
 use std::error::Error;
 use std::fs::File;
 use std::io::BufReader;
@@ -15,21 +15,23 @@ use std::path::Path;
 /// Width and height of a still, pixels.
 const SIZE: [u32; 2] = [320, 200];
 
-/// Draws a still of a run.
+/// Draws a still of a run, with the path that leads there where the bodies are too small to be seen beside it.
 ///
 /// # Errors
 /// When the run has no sample within an output interval of the time.
-pub(super) fn draw(still: &Still, run: &Run) -> Result<Picture, Box<dyn Error>> {
+pub(super) fn draw(still: &Still, loaded: &LoadedScene, run: &Run) -> Result<Picture, Box<dyn Error>> {
     let times = &run.record.times_s;
     let apart = |sample: &usize| (times[*sample] - still.time_s).abs();
     let nearest = (0..times.len()).min_by(|a, b| apart(a).total_cmp(&apart(b)));
     let found = nearest.filter(|sample| apart(sample) <= run.scene.output_interval_s());
     let sample = found.ok_or_else(|| format!("{}: the run has no sample at t = {} s", still.name, still.time_s))?;
-    let recording = Recording::of_instant(&run.scene, times[sample], &run.record.samples[sample])?;
-    let bounds = still.looks_at.map_or_else(|| recording.bounds(), |corners| corners.map(DVec3::from_array));
-    let size = PictureSize::new(SIZE[0], SIZE[1])?;
-    let camera = Camera::at_box(bounds, DVec3::from_array(still.from()), size.aspect());
-    Ok(frame_from(&recording, 0, camera, bounds, size))
+    let mut recording = Recording::for_still(&run.scene)?.shown_as(loaded.appearance());
+    for (t, bodies) in times[..sample].iter().zip(&run.record.samples) {
+        recording.sample(*t, bodies);
+    }
+    recording.end_at(times[sample], &run.record.samples[sample])?;
+    let last = recording.times().len().saturating_sub(1);
+    Ok(draw_still(&recording, last, PictureSize::new(SIZE[0], SIZE[1])?)?)
 }
 
 /// A picture as the bytes of a PNG file.

@@ -7,9 +7,6 @@ use std::path::Path;
 /// The file, from the root of the workspace.
 pub(super) const FILE: &str = "fixtures/gallery.toml";
 
-/// Direction towards the camera when none is given: from the front, a little from the right and above.
-const FRONT: [f64; 3] = [0.55, -1.0, 0.42];
-
 /// Videos and stills.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -45,21 +42,12 @@ pub(super) struct Still {
     /// When, s; the nearest sample is drawn.
     #[serde(rename = "time")]
     pub(super) time_s: f64,
-    /// Direction towards the camera.
-    from: Option<[f64; 3]>,
-    /// Corners of the box that the camera looks at, m; without it that of the bodies at that time.
-    pub(super) looks_at: Option<[[f64; 3]; 2]>,
 }
 
 impl Still {
     /// The scene that it is of.
     pub(super) fn scene(&self) -> &str {
         self.scene.as_deref().unwrap_or(&self.name)
-    }
-
-    /// Direction towards the camera.
-    pub(super) fn from(&self) -> [f64; 3] {
-        self.from.unwrap_or(FRONT)
     }
 
     /// Name of its file.

@@ -1,5 +1,6 @@
 //! The shipped scenes with their runs, and what is shown of them.
 
+use super::groups::{self, Groups};
 use super::selection::{FILE, Selection, Still};
 use polhode_cases::{Context, Run};
 use polhode_scene::LoadedScene;
@@ -21,6 +22,8 @@ pub(super) struct Shown {
 pub(super) struct ShownScenes {
     /// Which stills there are.
     pub(super) selection: Selection,
+    /// The scenes in groups.
+    pub(super) groups: Groups,
     /// The scenes by name.
     pub(super) scenes: BTreeMap<String, Shown>,
 }
@@ -32,6 +35,7 @@ impl ShownScenes {
     /// When a scene is refused, does not run to its end, or a still is of a scene that does not ship.
     pub(super) fn new(context: &Context, tell: impl Fn(&str)) -> Result<Self, Box<dyn Error>> {
         let selection = Selection::read(&context.root)?;
+        let groups = Groups::read(&context.root)?;
         let mut scenes = BTreeMap::new();
         for name in context.shipped.names()? {
             tell(&name);
@@ -40,9 +44,12 @@ impl ShownScenes {
             let run = context.shipped.run(&name)?;
             scenes.insert(name, Shown { loaded, run });
         }
+        if let Some(group) = groups.groups.iter().find(|group| !scenes.contains_key(&group.moving)) {
+            return Err(format!("{}: there is no scene {}", groups::FILE, group.moving).into());
+        }
         match selection.stills.iter().find(|still| !scenes.contains_key(still.scene())) {
             Some(still) => Err(format!("{FILE}: {}: there is no scene {}", still.name, still.scene()).into()),
-            None => Ok(Self { selection, scenes }),
+            None => Ok(Self { selection, groups, scenes }),
         }
     }
 

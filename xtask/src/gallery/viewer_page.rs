@@ -31,7 +31,8 @@ pub(super) fn write(
         let scene = &loaded.scene;
         let interval_s = (1.0 / FRAMES_PER_SECOND).max(scene.duration_s() / MOST_FRAMES).min(scene.duration_s());
         let scene = scene.clone().with_output_interval(interval_s)?;
-        let mut run = page.begin_run(&scene, scene.name(), FrameSource::Simulation)?;
+        let run = page.begin_run(&scene, scene.name(), FrameSource::Simulation)?;
+        let mut run = run.shown_as(loaded.appearance());
         let report = Simulation::new(&scene)?.run_observed(&mut run)?;
         let outcome = if report.outcome == Outcome::Degraded { "degraded" } else { "completed" };
         page = run.end(outcome)?;

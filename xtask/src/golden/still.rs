@@ -76,13 +76,14 @@ impl GoldenStill {
     }
 
     fn draw(&self, context: &Context) -> Result<Picture, Box<dyn Error>> {
-        let scene = context.shipped.load(self.scene)?;
-        let mut recording = Recording::for_still(&scene)?;
-        let mut simulation = Simulation::new(&scene)?;
+        let loaded = polhode_scene::load_with(&context.shipped.path(self.scene), &[])?;
+        let scene = &loaded.scene;
+        let mut recording = Recording::for_still(scene)?.shown_as(loaded.appearance());
+        let mut simulation = Simulation::new(scene)?;
         simulation.advance_to_observed(self.t_s, &mut recording)?;
         recording.end_at(self.t_s, &simulation.bodies())?;
         let last = recording.times().len().saturating_sub(1);
-        Ok(still(&recording, last, PictureSize::new(SIZE[0], SIZE[1])?))
+        Ok(still(&recording, last, PictureSize::new(SIZE[0], SIZE[1])?)?)
     }
 }
 

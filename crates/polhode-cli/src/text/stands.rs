@@ -18,21 +18,15 @@ pub(crate) fn page(scene: &Scene, standing: &Standing, with_contacts: bool) -> S
     text
 }
 
-/// Title and subtitle of a picture.
-pub(crate) fn headings(scene: &Scene, standing: &Standing) -> (String, String) {
-    let subtitle = match &standing.mechanism {
-        None => "nothing begins to move".to_owned(),
-        Some(mechanism) => {
-            let bodies: Vec<BodyId> = mechanism.bodies.iter().map(|own| own.body).collect();
-            let hinges = match mechanism.hinges.len() {
-                0 => String::new(),
-                1 => ", on 1 hinge".to_owned(),
-                count => format!(", on {count} hinges"),
-            };
-            format!("what begins {}: {}{hinges}", when(mechanism), named_bodies(scene, &bodies, "moves"))
-        }
+/// Which motion begins, in a line.
+pub(crate) fn what_begins(scene: &Scene, mechanism: &Mechanism) -> String {
+    let bodies: Vec<BodyId> = mechanism.bodies.iter().map(|own| own.body).collect();
+    let hinges = match mechanism.hinges.len() {
+        0 => String::new(),
+        1 => ", on 1 hinge".to_owned(),
+        count => format!(", on {count} hinges"),
     };
-    (answer(scene, standing), subtitle)
+    format!("what begins {}: {}{hinges}", when(mechanism), named_bodies(scene, &bodies, "moves"))
 }
 
 /// The limit of a key, with the values on both sides of it.
@@ -53,7 +47,7 @@ fn significant(value: f64, digits: usize) -> String {
     rounded.parse().map_or(rounded, |value: f64| format!("{value:?}"))
 }
 
-fn answer(scene: &Scene, standing: &Standing) -> String {
+pub(crate) fn answer(scene: &Scene, standing: &Standing) -> String {
     if standing.stands() {
         format!("{} stands", scene.name())
     } else if standing.moving.is_empty() {

@@ -128,7 +128,7 @@ fn what_the_program_has_computed_keeps_all_laws() {
 }
 
 /// What tier `accurate` computes breaks no law: strikes between samples, at another edge or a fold too, prescribed
-/// coordinates, gears, rough bearings, joints that break, loads on what turns anyhow, friction along and across a grain.
+/// coordinates, gears, rough bearings, joints that break, loads on what turns anyhow, friction with a grain.
 #[test]
 fn runs_by_the_laws_are_not_accused() {
     for scene in [

@@ -71,7 +71,7 @@ from ._shapes import (
 )
 from ._show import Gif, Page, Plot, Still
 from ._simulation import Simulation
-from ._stands import Standing, boxes, stands
+from ._stands import Standing, StandingLimit, boxes, standing_limit, stands
 from ._sweep import sweep
 from ._table import Mean, Table
 
@@ -187,6 +187,7 @@ __all__ = [
     "rotate_free",
     "run",
     "solve_friction",
+    "standing_limit",
     "stands",
     "sweep",
 ]

@@ -40,6 +40,7 @@ __all__ = [
     "rotate_free",
     "run",
     "solve_friction",
+    "standing_limit",
     "stands",
     "still",
     "study",
@@ -134,6 +135,9 @@ def judge(path: str, loaded: Loaded, tolerance: float, truth: bool) -> str:
 
 def compare(a: str, b: str, atol: float, rtol: float) -> str:
     """The largest difference of every column of two trajectories as JSON."""
+
+def standing_limit(loaded: Loaded, interval: str, digits: int) -> str:
+    """Up to which value of a key a scene stands, as JSON, as ``polhode stands --bisect --json`` prints it."""
 
 def stands(loaded: Loaded) -> str:
     """Whether a scene stands, as JSON, as ``polhode stands --json`` prints it."""

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import csv
 import io
 import json
 import math
@@ -10,7 +9,7 @@ import os
 from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from . import _polhode
+from . import _polhode, _toml
 from ._scene import Scene, load
 
 if TYPE_CHECKING:
@@ -68,6 +67,40 @@ def stands(scene: SceneLike) -> Standing:
     return Standing(True, needed, push, tilt, first, how, report)
 
 
+class StandingLimit(NamedTuple):
+    """Up to which value of a key a scene stands."""
+
+    #: The key.
+    key: str
+    #: The limit: the middle of both values below, or the last whole number with which it stands.
+    limit: float
+    #: The value nearest to the limit with which it stands.
+    stands: float
+    #: The value nearest to it with which it does not.
+    falls: float
+    #: How many scenes were asked.
+    asked: int
+
+
+def standing_limit(scene: SceneLike, key: str, low: float, high: float, *, digits: int = 6) -> StandingLimit:
+    """Up to which value of a key a scene stands, between one with which it does and one with which it does not.
+
+    The interval is halved until both ends agree to so many ``digits``. Where the scene stands again farther on, one of
+    its limits is found. Of a key of whole numbers, such as a count, it is the last one with which it stands.
+
+    >>> import polhode as ph
+    >>> scene = ph.Scene()
+    >>> floor = scene.fixed(ph.HalfSpace(), friction=0.5)
+    >>> low = scene.add(ph.Box(1, 1, 1), name="low", mass=1.0, at=(0, 0, 0.5), friction=0.5)
+    >>> high = scene.add(ph.Box(1, 1, 1), name="high", mass=1.0, at=(0, 0, 1.5), friction=0.5)
+    >>> round(ph.standing_limit(scene, "bodies.high.position[0]", 0, 1).limit, 5)
+    0.5
+    """
+    interval = f"{_toml.path(key)}={low!r}..{high!r}"
+    found = json.loads(_polhode.standing_limit(load(scene, {}), interval, digits))
+    return StandingLimit(key, found["limit"], found["stands_at"], found["falls_at"], found["asked"])
+
+
 def boxes(table: Any, *, friction: float = 0.5, gravity: float = 9.81) -> Scene:
     """A scene of boxes on a floor at z = 0, from a table: a pallet, a wall, a pile.
 
@@ -92,6 +125,8 @@ def boxes(table: Any, *, friction: float = 0.5, gravity: float = 9.81) -> Scene:
 
 def _text(table: Any) -> tuple[str, str | None]:
     """A table as CSV, and the file that it is from."""
+    import csv
+
     if isinstance(table, (str, os.PathLike)):
         with open(table, newline="", encoding="utf-8") as file:
             return file.read(), os.fspath(table)

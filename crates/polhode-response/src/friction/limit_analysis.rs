@@ -390,7 +390,10 @@ impl Programme {
             Law::Hold { .. } => {}
             Law::Slide { .. } | Law::Resist { .. } => return false,
             Law::Cone { rows, friction } if rows > 1 && friction > 0.0 => {
-                self.push(ConeRows::Nonnegative(1), &[(first, 1.0)], 0.0);
+                // Only a cone that may be missed, or one without friction, leaves the sign of its normal force open.
+                if missed.is_some() {
+                    self.push(ConeRows::Nonnegative(1), &[(first, 1.0)], 0.0);
+                }
                 self.frictions.push((self.constant.len(), first, friction));
                 let normal = [(first, part * friction)];
                 let line: Vec<(usize, f64)> = normal.into_iter().chain(missed.map(|missed| (missed, 1.0))).collect();

@@ -57,6 +57,8 @@ pub struct Question<'a> {
     pub constants: &'a [f64],
     /// The rows that bore something in a similar problem.
     pub start: Option<&'a WarmStart>,
+    /// The forces of all rows in a problem that is nearly the same, with other constant terms.
+    pub near: Option<&'a [f64]>,
     /// Rounding that the constant terms carry already, in their unit.
     pub noise_floor: f64,
     /// Whether the rows and their laws are those of the last question to the same [`Memory`].

@@ -61,6 +61,14 @@ pub(super) fn solve(problem: &RowProblem<'_>, blocks: &Blocks, memory: &mut Memo
     Ok(Answer { report, ..found })
 }
 
+impl Memory {
+    /// How the forces of so many rows, the answer at the [stage](super::Ask::Stage) before, change with the constant
+    /// terms of those that are held, as long as no cone bounds them: to some ten digits. None where nothing slides.
+    pub fn change_at_stage(&self, change: &[f64], blocks: &Blocks, rows: usize) -> Option<Vec<f64>> {
+        self.sliding.as_ref()?.change(change, &sliding_rows(blocks), rows)
+    }
+}
+
 /// The forces of rows that are all held: of those beside the trees the least ones.
 fn beside(problem: &RowProblem<'_>, forest: &HeldForest) -> Result<Answer, ResponseError> {
     let (rows, constants) = (problem.rows, problem.known.constants);

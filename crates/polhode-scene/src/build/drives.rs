@@ -5,8 +5,7 @@ use super::{coordinate_motion, joint};
 use crate::document::KeyPath;
 use crate::error::{Refusal, nearest};
 use crate::format::{DriveEntry, ModelEntry};
-use crate::robot::{MotorBound, Placement, Robot, RobotDrive};
-use polhode::scene::Coordinate;
+use crate::robot::{MotorBound, NamedJoint, Placement, Robot, RobotDrive};
 
 /// What stands for any characters in the name of a joint.
 const ANY: char = '*';
@@ -54,13 +53,10 @@ pub(super) fn add(entry: &ModelEntry, robot: &Robot, placement: &mut Placement, 
 const NO_JOINTS: (&str, &str) = ("hinge or slider", "none, the file has no hinges and no sliders");
 
 /// Checks that a joint that is driven is one of the scene.
-pub(super) fn check(
-    placement: &Placement,
-    joints: &[(String, usize, Coordinate)],
-    path: &KeyPath,
-) -> Result<(), Fault> {
+pub(super) fn check(placement: &Placement, joints: &[NamedJoint], path: &KeyPath) -> Result<(), Fault> {
     let prefix = if placement.prefix.is_empty() { String::new() } else { format!("{}/", placement.prefix) };
-    let names: Vec<&str> = joints.iter().filter_map(|(name, ..)| name.strip_prefix(&prefix)).collect();
+    let driven = joints.iter().filter(|own| own.coordinate.is_some());
+    let names: Vec<&str> = driven.filter_map(|own| own.name.strip_prefix(&prefix)).collect();
     for name in placement.drives.keys().filter(|name| !names.contains(&name.as_str())) {
         let none = "none: joints of several axes and parts without mass have no coordinate along which drives act";
         known(name, &names, ("joint of one coordinate in the scene", none), &path.key("drives").key(name.clone()))?;

@@ -27,8 +27,8 @@ impl Joints {
         }
         let mut first = file.joints.len();
         for robot in robots {
-            for (name, joint, coordinate) in &robot.joint_names {
-                named.entry(name.clone()).or_insert((JointId::new(first + joint), Some(*coordinate)));
+            for own in &robot.joint_names {
+                named.entry(own.name.clone()).or_insert((JointId::new(first + own.joint), own.coordinate));
             }
             first += robot.joints.len();
         }

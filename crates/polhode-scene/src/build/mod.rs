@@ -5,6 +5,7 @@
 //!
 //! | module | holds |
 //! |---|---|
+//! | `appearance` | how a scene is shown |
 //! | `approximate` | few convex parts that nearly fill a mesh |
 //! | `array` | many equal bodies |
 //! | `bodies` | bodies by name, for what refers to them |
@@ -32,6 +33,7 @@
 //! | `uncertain` | what of a scene is uncertain |
 //! | `joint` | joints |
 
+mod appearance;
 mod approximate;
 mod array;
 mod bodies;

@@ -8,8 +8,8 @@ use crate::error::Refusal;
 use crate::format::{BaseName, ModelEntry, SceneFile, UnphysicalName};
 use crate::mesh_file::MeshFolder;
 use crate::robot::{
-    Assembly, Base, Finding, Placement, Robot, RobotDefect, RobotFile, RobotFileError, RobotGear, SelfCollision,
-    Unphysical, assembled, read_robot,
+    Assembly, Base, Finding, NamedJoint, Placement, Robot, RobotDefect, RobotFile, RobotFileError, RobotGear,
+    SelfCollision, Unphysical, assembled, read_robot,
 };
 use polhode::scene::{Coordinate, CoordinateMotion, DEFAULT_GRAVITY, Joint, Material};
 use polhode::spatial::DVec3;
@@ -38,8 +38,8 @@ pub(crate) struct PlacedRobot {
     pub(crate) joints: Vec<Joint>,
     /// Groups of its bodies that do not collide.
     pub(crate) no_contact: Vec<Vec<BodyId>>,
-    /// The coordinates of its joints by their names in the scene: the place of the joint, and which it is.
-    pub(crate) joint_names: Vec<(String, usize, Coordinate)>,
+    /// The names of its joints in the scene.
+    pub(crate) joint_names: Vec<NamedJoint>,
     /// Its coordinates that follow others.
     pub(crate) gears: Vec<RobotGear>,
     /// Its coordinates whose motion is prescribed: the place of the joint, which it is, and how it moves.
@@ -168,14 +168,16 @@ pub(super) fn last_of_body(name: &str, robots: &[PlacedRobot]) -> Option<usize> 
     robots.iter().rev().find(|robot| robot.names.iter().any(|own| own == name)).map(|robot| robot.index)
 }
 
-/// The number of the model that a joint of robots is of, counted over all of them.
-pub(super) fn of_joint(number: usize, robots: &[PlacedRobot]) -> Option<usize> {
-    let mut end = 0;
-    robots
-        .iter()
-        .find(|robot| {
-            end += robot.joints.len();
-            number < end
-        })
-        .map(|robot| robot.index)
+/// The model that a joint of robots is of, counted over all of them, and the name of the joint.
+pub(super) fn path_of_joint(number: usize, robots: &[PlacedRobot]) -> Option<KeyPath> {
+    let mut first = 0;
+    for robot in robots {
+        if number < first + robot.joints.len() {
+            let model = KeyPath::element("models", robot.index);
+            let named = robot.joint_names.iter().find(|own| own.joint == number - first);
+            return Some(named.map_or_else(|| model.clone(), |own| model.key("joints").key(own.name.clone())));
+        }
+        first += robot.joints.len();
+    }
+    None
 }

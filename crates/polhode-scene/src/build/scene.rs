@@ -5,13 +5,13 @@ use super::fault::{Fault, Faults, not_negative, positive, vector};
 use super::materials::Materials;
 use super::model::{self, PlacedRobot};
 use super::track::Tracks;
-use super::{array, body, coordinate_motion, force, gear, joint, method};
+use super::{appearance, array, body, coordinate_motion, force, gear, joint, method};
 use crate::document::KeyPath;
 use crate::error::Refusal;
 use crate::format::{self, NoContactEntry, SceneFile};
 use crate::mesh_file::MeshFolder;
 use polhode::contact::ShapeError;
-use polhode::scene::{Coordinate, CoordinateMotion};
+use polhode::scene::{Appearance, Coordinate, CoordinateMotion};
 use polhode::{Body, BodyId, JointId, Scene, SceneBuilder, SceneError};
 
 /// A scene, and the robots that are part of it.
@@ -21,6 +21,8 @@ pub(crate) struct Built {
     pub(crate) scene: Scene,
     /// Its robots.
     pub(crate) robots: Vec<PlacedRobot>,
+    /// How it is shown.
+    pub(crate) appearance: Appearance,
 }
 
 /// The scene that a file describes; `name` is used when the file gives none.
@@ -76,12 +78,13 @@ pub(crate) fn scene(file: &SceneFile, folder: &MeshFolder, name: &str) -> Result
             builder = builder.no_contact(group);
         }
     }
+    let appearance = appearance::build(file, &list, &mut faults);
     for body in list {
         builder = builder.body(body);
     }
     faults.none()?;
     match builder.build() {
-        Ok(scene) => Ok(Built { scene, robots }),
+        Ok(scene) => Ok(Built { scene, robots, appearance }),
         Err(error) => Err(vec![(path_of(&error, file, &robots), Refusal::Scene(error))]),
     }
 }
@@ -174,10 +177,7 @@ pub(crate) fn path_of(error: &SceneError, file: &SceneFile, robots: &[PlacedRobo
         | SceneError::OffTrack { number, .. }
         | SceneError::JointTurns { number, .. } => match number.checked_sub(file.joints.len()) {
             None => KeyPath::element("joints", *number),
-            Some(later) => {
-                let robot = model::of_joint(later, robots);
-                robot.map_or_else(KeyPath::root, |robot| KeyPath::element("models", robot))
-            }
+            Some(later) => model::path_of_joint(later, robots).unwrap_or_else(KeyPath::root),
         },
         SceneError::ReducedCoordinates { .. } => KeyPath::of(&["method", "coordinates"]),
         SceneError::FrictionInTier { .. } | SceneError::JointsInTier { .. } => KeyPath::of(&["method", "tier"]),

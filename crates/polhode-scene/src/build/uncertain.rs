@@ -5,7 +5,7 @@ use super::placement;
 use crate::document::KeyPath;
 use crate::error::{Refusal, nearest};
 use crate::format::{AxesEntry, BodyEntry, DrawName, LimitsEntry, SPREADS, SceneFile, UncertainEntry};
-use crate::uncertain::{Draw, RotationForm, Spread, StartPose, Uncertain};
+use crate::uncertain::{Distribution, Draw, RotationForm, StartPose, Uncertain};
 
 /// The number that a key of the scene has; none where it has none.
 type NumberOf<'a> = dyn Fn(&str) -> Option<f64> + 'a;
@@ -57,42 +57,43 @@ fn of_key<'a>(
             (path.clone(), Refusal::Other(why))
         })
     };
-    let spread = match kinds(entry)[..] {
+    let drawn = match kinds(entry)[..] {
         ["normal"] => {
             let (own, path) = (entry.normal.as_ref(), path.key("normal"));
             let given = own.and_then(|own| own.mean);
             let mean = finite(nominal(given, &path, "its mean")?, &path.key("mean"))?;
             let deviation = not_negative(own.map_or(0.0, |own| own.deviation), &path.key("deviation"))?;
-            Spread::Normal { mean, deviation }
+            Distribution::Normal { mean, deviation }
         }
         ["lognormal"] => {
             let (own, path) = (entry.lognormal.as_ref(), path.key("lognormal"));
             let given = own.and_then(|own| own.median);
             let median = positive(nominal(given, &path, "its median")?, &path.key("median"))?;
             let spread = not_negative(own.map_or(0.0, |own| own.spread), &path.key("spread"))?;
-            Spread::LogNormal { median, spread }
+            Distribution::LogNormal { median, spread }
         }
         ["uniform"] => {
             let (low, high) = limits(entry.uniform.as_ref(), &path.key("uniform"))?;
-            Spread::Uniform { low, high }
+            Distribution::Uniform { low, high }
         }
         ["interval"] => {
+            // Where nothing else is known, all of them are as probable as each other.
             let (low, high) = limits(entry.interval.as_ref(), &path.key("interval"))?;
-            Spread::Interval { low, high }
+            Distribution::Uniform { low, high }
         }
         ["choice"] => {
             let values: Vec<String> = entry.choice.iter().flatten().map(|own| own.0.clone()).collect();
             if values.is_empty() {
                 return Err((path.key("choice"), Refusal::Other("a choice has at least one value".to_owned())));
             }
-            Spread::Choice(values)
+            Distribution::Choice(values)
         }
         _ => {
             let why = format!("an uncertain key has exactly one of {SPREADS}");
             return Err((path.clone(), Refusal::Other(why)));
         }
     };
-    Ok(Uncertain::Key { key: key.to_owned(), spread })
+    Ok(Uncertain::Key { key: key.to_owned(), drawn })
 }
 
 /// The kinds of distribution that an entry has.

@@ -2,6 +2,7 @@
 
 use super::body::{BodyEntry, InertiaEntry, ShapeEntry};
 use super::exactly::{Exactly, Vector};
+use super::view::ColorEntry;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -48,6 +49,14 @@ pub struct ArrayEntry {
     pub surface_velocity: Option<Vector>,
     /// Name of a material; without one friction and restitution are 0.
     pub material: Option<String>,
+    /// Colour of all of them in pictures and pages, a name or `#rrggbb`; those of the palette when absent.
+    pub colour: Option<ColorEntry>,
+    /// They are not shown.
+    #[serde(default)]
+    pub hidden: bool,
+    /// How much of them is seen: 1 when absent, 0 nothing.
+    #[schemars(range(min = 0, max = 1))]
+    pub opacity: Option<f64>,
 }
 
 impl ArrayEntry {
@@ -71,6 +80,10 @@ impl ArrayEntry {
             angular_velocity: self.angular_velocity.clone(),
             surface_velocity: self.surface_velocity.clone(),
             material: self.material.clone(),
+            colour: self.colour,
+            label: None,
+            hidden: self.hidden,
+            opacity: self.opacity,
         }
     }
 }

@@ -1,7 +1,7 @@
 //! Bodies and their shapes.
 
-use super::MotionEntry;
 use super::exactly::{Exactly, Vector};
+use super::{ColorEntry, MotionEntry};
 use schemars::JsonSchema;
 use serde::de::{self, Deserialize, Deserializer, SeqAccess, Visitor};
 
@@ -48,6 +48,16 @@ pub struct BodyEntry {
     pub surface_velocity: Option<Vector>,
     /// Name of a material; without one friction and restitution are 0.
     pub material: Option<String>,
+    /// Colour in pictures and pages, a name or `#rrggbb`; one of the palette when absent.
+    pub colour: Option<ColorEntry>,
+    /// Words that stand beside it in pictures and pages.
+    pub label: Option<String>,
+    /// It is not shown.
+    #[serde(default)]
+    pub hidden: bool,
+    /// How much of it is seen: 1 when absent, 0 nothing.
+    #[schemars(range(min = 0, max = 1))]
+    pub opacity: Option<f64>,
 }
 
 /// A shape in the body's own frame.

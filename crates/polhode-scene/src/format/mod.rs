@@ -24,6 +24,7 @@
 //! | `promise` | what a run promises, where a scene sets other limits than its tier |
 //! | `track` | tracks that joints hold bodies to |
 //! | `uncertain` | [`UncertainEntry`]: what a sweep draws |
+//! | `view` | [`ViewEntry`], [`ColorEntry`]: how a scene is shown |
 
 mod array;
 mod body;
@@ -44,6 +45,7 @@ mod signal;
 mod tier;
 mod track;
 mod uncertain;
+mod view;
 
 pub(crate) use array::LAYOUTS;
 pub use array::{
@@ -85,6 +87,7 @@ pub use track::{
 };
 pub(crate) use uncertain::SPREADS;
 pub use uncertain::{AxesEntry, ChoiceEntry, DrawName, LimitsEntry, LogNormalEntry, NormalEntry, UncertainEntry};
+pub use view::{CameraEntry, ColorEntry, ViewEntry, ViewName};
 
 /// Version of the format that this crate reads.
 pub const VERSION: u32 = 1;

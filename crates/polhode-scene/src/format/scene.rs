@@ -3,7 +3,7 @@
 use super::exactly::{Exactly, Vector};
 use super::{
     ArrayEntry, BodyEntry, ForceEntry, FrictionEntry, GearEntry, JointEntry, MethodEntry, ModelEntry, PromiseEntry,
-    StaticFrictionEntry, TrackEntry, UncertainEntry,
+    StaticFrictionEntry, TrackEntry, UncertainEntry, ViewEntry,
 };
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -73,6 +73,9 @@ pub struct SceneFile {
     /// What is uncertain: `polhode sweep` draws it, a run has what the scene says.
     #[serde(default)]
     pub uncertain: Vec<UncertainEntry>,
+    /// From where pictures and pages show the scene. No motion depends on it.
+    #[serde(default)]
+    pub view: ViewEntry,
 }
 
 /// How the scene starts.

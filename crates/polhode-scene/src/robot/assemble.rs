@@ -84,6 +84,16 @@ impl Placement {
     }
 }
 
+/// A joint of a robot, or a coordinate of one, that bears a name in the scene.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct NamedJoint {
+    pub(crate) name: String,
+    /// The place of the joint among those of the robot.
+    pub(crate) joint: usize,
+    /// The coordinate that bears the name; none where a joint closes a loop and has none.
+    pub(crate) coordinate: Option<Coordinate>,
+}
+
 /// A robot as bodies and joints.
 #[derive(Debug, Default)]
 pub(crate) struct Assembly {
@@ -93,8 +103,8 @@ pub(crate) struct Assembly {
     pub(crate) joints: Vec<Joint>,
     /// Groups of bodies that do not collide.
     pub(crate) no_contact: Vec<Vec<BodyId>>,
-    /// The coordinates of its joints by their names in the scene: the place of the joint, and which it is.
-    pub(crate) joint_names: Vec<(String, usize, Coordinate)>,
+    /// The names of its joints in the scene.
+    pub(crate) joint_names: Vec<NamedJoint>,
     /// Coordinates that follow others.
     pub(crate) gears: Vec<RobotGear>,
     /// Coordinates whose motion is prescribed: the place of the joint, which it is, and how it moves.
@@ -388,8 +398,8 @@ impl Making<'_> {
         for own in &self.robot.followers {
             let find = |name: &str| {
                 let name = self.name(name);
-                let found = self.made.joint_names.iter().find(|(known, ..)| *known == name);
-                found.map(|(_, joint, coordinate)| (*joint, *coordinate))
+                let found = self.made.joint_names.iter().find(|known| known.name == name)?;
+                Some((found.joint, found.coordinate?))
             };
             let is_known = self.robot.joints.iter().any(|joint| joint.name == own.leader);
             if own.is_held() && is_known {
@@ -430,7 +440,8 @@ impl Making<'_> {
             let value = self.values[number];
             if let Some(own) = self.robot.joints[number].coordinates.first() {
                 let name = self.name(&own.name);
-                self.made.joint_names.push((name, self.made.joints.len(), coordinate));
+                let named = NamedJoint { name, joint: self.made.joints.len(), coordinate: Some(coordinate) };
+                self.made.joint_names.push(named);
                 let (motor, motion) = self.drive(own, coordinate, number);
                 let without_limits = RobotCoordinate { limits: None, ..own.clone() };
                 if motion.is_some() && own.limits.is_some() {
@@ -532,7 +543,12 @@ impl Making<'_> {
             } else if own.kind == ClosureKind::Weld && (turn > CLOSED || turn.is_nan()) {
                 self.findings.add(&own.place, subject, RobotDefect::TurnedLoop(turn));
             } else {
+                let joint = self.made.joints.len();
                 self.closure([a, b], end_a.translation, own.kind);
+                if self.made.joints.len() > joint {
+                    let name = self.name(&own.name);
+                    self.made.joint_names.push(NamedJoint { name, joint, coordinate: None });
+                }
             }
         }
     }

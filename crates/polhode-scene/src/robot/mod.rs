@@ -46,7 +46,7 @@ mod tree;
 mod urdf;
 mod weld;
 
-pub(crate) use assemble::{Assembly, RobotGear, assembled};
+pub(crate) use assemble::{Assembly, NamedJoint, RobotGear, assembled};
 pub use assemble::{Base, Placement, SelfCollision};
 pub use doctor::examine;
 pub use drive::{MotorBound, RobotDrive};

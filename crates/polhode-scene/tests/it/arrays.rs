@@ -108,7 +108,7 @@ fn mistakes_in_rings_and_arches_are_refused() {
         ("count = 9, radius = -1, thickness = 0.1", "radius", "positive"),
         ("count = 9, radius = 1, thickness = 2", "thickness", "below twice the radius"),
         ("count = 9, radius = 1, thickness = 0.1, opening = 7", "opening", "whole turn"),
-        ("count = 9, radius = 1, thickness = 0.1, springers = \"stiff\"", "springers", "accepted: `loose`, `fixed`"),
+        ("count = 9, radius = 1, thickness = 0.1, springers = \"stiff\"", "springers", "accepted: `loose` or `fixed`"),
     ] {
         check(&arch(keys), &format!("arrays.cube.layout.arch.{key}"), key, message);
     }

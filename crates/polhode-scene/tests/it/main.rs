@@ -10,6 +10,7 @@ mod fixtures;
 mod forces;
 mod format;
 mod landing_at_a_stop;
+mod looks;
 mod loop_hits_its_stop;
 mod mass;
 mod mesh_report;

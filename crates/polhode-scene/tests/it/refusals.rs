@@ -80,6 +80,41 @@ fn numbers_of_the_scene() {
     }
 }
 
+/// How a scene is shown is checked as all else is.
+#[test]
+fn looks() {
+    let views = [
+        ("view.camera = \"left\"", "view.camera", "unknown value `left`"),
+        ("view.camera = \"left\"", "view.camera", "`front`, `side`, `top`, `iso`"),
+        ("view.camera = [1, 2]", "view.camera", "an array of length 3"),
+        ("view.camera = 3", "view.camera", "one of `front`"),
+        ("view.camera = [0, nan, 0]", "view.camera.1", "a finite number"),
+        ("view.from = [0, 0, 0]", "view.from", "no direction"),
+        ("view.frame = [[0, 0, 0], [0, 0, 0]]", "view.frame", "a box without a size"),
+        ("view.frame = [[0, 0, 0]]", "view.frame", "an array of length 2"),
+        ("view.zoom = 2", "view.zoom", "unknown key `zoom`"),
+        ("view = { camera = [1, 0, 0], look_at = [1, 0, 0] }", "view.look_at", "the place of the camera"),
+        ("view = { camera = \"top\", from = [1, 0, 0] }", "view.from", "cannot both be given"),
+    ];
+    for (line, key, message) in views {
+        let text = BASE.replace("name = \"base\"", &format!("name = \"base\"\n{line}"));
+        check(&text, key, line.split(" =").next().unwrap().split('.').next().unwrap(), message);
+    }
+    let bodies = [
+        ("colour = \"bluish\"", "bodies.brick.colour", "`#rrggbb`"),
+        ("colour = \"#12\"", "bodies.brick.colour", "unknown value `#12`"),
+        ("colour = \"#+12345\"", "bodies.brick.colour", "unknown value"),
+        ("colour = 5", "bodies.brick.colour", "`blue`"),
+        ("opacity = 1.5", "bodies.brick.opacity", "a number from 0 to 1"),
+        ("opacity = nan", "bodies.brick.opacity", "a number from 0 to 1"),
+        ("hidden = 1", "bodies.brick.hidden", "boolean"),
+        ("label = 3", "bodies.brick.label", "string"),
+    ];
+    for (line, key, message) in bodies {
+        check(&brick("position", line), key, line.split(" =").next().unwrap(), message);
+    }
+}
+
 /// What a body must have, and what it must not have together.
 #[test]
 fn combinations() {

@@ -3,7 +3,7 @@
 
 use crate::robots::{Folder, joint, link, shipped, urdf};
 use glam::DVec3;
-use polhode::scene::{Coordinate, JointKind};
+use polhode::scene::{Coordinate, JointKind, SceneError};
 use polhode::{Body, Simulation};
 use polhode_scene::load_with;
 
@@ -135,7 +135,8 @@ fn orientations() {
     }
 }
 
-/// A loop that closes is a joint; one that does not says by how much.
+/// A loop that closes is a joint that bears the name of its file, in columns and in what is refused; one that does not
+/// says by how much.
 #[test]
 fn loops() {
     let arms = |anchor: &str| {
@@ -157,9 +158,12 @@ fn loops() {
     assert!(error.contains("loop `ring`: its loop does not close: at the start its ends are 1 m apart"), "{error}");
     let closed = arms("0.5 0 -1").replace("name=\"at_right\" pos=\"0.5 0 -1\"", "name=\"at_right\" pos=\"-0.5 0 -1\"");
     let folder = Folder::new().with("r.xml", &closed);
-    let scene = folder.scene("r.xml", "").unwrap().scene;
-    assert_eq!(scene.joints().len(), 3);
-    assert_eq!(scene.joints()[2].anchor(), DVec3::new(0.5, 0.0, -1.0));
+    let loaded = folder.scene("r.xml", "").unwrap();
+    assert_eq!(loaded.scene.joints().len(), 3);
+    assert_eq!(loaded.scene.joints()[2].anchor(), DVec3::new(0.5, 0.0, -1.0));
+    assert_eq!(loaded.joint_names()[2], "ring");
+    let refused = loaded.explain(SceneError::JointMoves { number: 2, apart_m_s: 1.0 }).to_string();
+    assert!(refused.contains("joints.ring"), "{refused}");
 }
 
 /// Geometries collide by their masks: what meets nothing is only seen, and pairs that do not meet do not collide.

@@ -123,8 +123,8 @@ impl Observer<'_> {
     }
 }
 
-/// The state in the middle of an interval of this length (s), by cubic polynomials through places and velocities of both
-/// ends; rotations by their rotation vector `r` from the first end, `r' = w - r x w/2 + r x (r x w)/12` and back
+/// The state in the middle of an interval of this length (s), by cubic polynomials through places and velocities of
+/// both ends; rotations by their rotation vector `r` from the first end, `r' = w - r x w/2 + r x (r x w)/12` and back
 /// `w = r' + r x r'/2 + r x (r x r')/6`.
 fn between(a: &BodySample, b: &BodySample, h: f64, center: DVec3) -> BodySample {
     let [from, to] = [a, b].map(|own| own.pose.transform_point(center));

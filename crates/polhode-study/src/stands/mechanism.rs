@@ -64,23 +64,23 @@ pub struct Mechanism {
 }
 
 impl Mechanism {
-    /// The motion that begins now, of bodies at rest with these margins and contacts, which nothing holds. None where
-    /// the analysis has none.
-    pub(super) fn now(scene: &Scene, stability: &Stability, contacts: &[ContactView]) -> Option<Self> {
-        Self::of(scene, Begins::Now, &stability.friction.begins, contacts)
-    }
-
-    /// That which begins at the least push of bodies that are held.
-    pub(super) fn at_push(scene: &Scene, stability: &Stability, contacts: &[ContactView]) -> Option<Self> {
-        let push = stability.worst_push()?;
-        let of_weight = push.of_weight.filter(|part| part.is_finite())?;
-        Self::of(scene, Begins::AtPush { direction: push.direction, of_weight }, &push.begins, contacts)
+    /// The motion of bodies that nothing holds, which touched like this before it. None where none moves.
+    pub(super) fn now(scene: &Scene, bodies: &[MovingBody], contacts: &[ContactView]) -> Option<Self> {
+        Self::of(scene, Begins::Now, bodies, contacts)
     }
 
     fn of(scene: &Scene, begins: Begins, bodies: &[MovingBody], contacts: &[ContactView]) -> Option<Self> {
         let hinges = hinges(scene, bodies, contacts);
         (!bodies.is_empty()).then(|| Self { begins, bodies: bodies.to_vec(), hinges })
     }
+}
+
+/// The motion that begins at the least push of bodies that are held, which touch like this at the start. None where no
+/// push moves them.
+pub fn mechanism_at_push(scene: &Scene, stability: &Stability, contacts: &[ContactView]) -> Option<Mechanism> {
+    let push = stability.worst_push()?;
+    let of_weight = push.of_weight.filter(|part| part.is_finite())?;
+    Mechanism::of(scene, Begins::AtPush { direction: push.direction, of_weight }, &push.begins, contacts)
 }
 
 /// The hinges between bodies that move like this.

@@ -21,5 +21,5 @@ mod standing;
 pub use answer::{bisection_json, standing_json};
 pub use bisect::{Bisection, Interval, MOST_DIGITS, Numbers};
 pub use error::StandsError;
-pub use mechanism::{Begins, Hinge, Mechanism};
+pub use mechanism::{Begins, Hinge, Mechanism, mechanism_at_push};
 pub use standing::{Question, Standing};

@@ -1,7 +1,7 @@
 //! The answer for one scene.
 
 use super::error::StandsError;
-use super::mechanism::Mechanism;
+use super::mechanism::{Mechanism, mechanism_at_push};
 use crate::sweep::LoadAnywhere;
 use crate::threads::Threads;
 use polhode::stability::{Beginning, FrictionMargin};
@@ -131,10 +131,11 @@ fn found(loaded: &LoadedScene) -> Result<Standing, SimulationError> {
     let stability = simulation.stability()?;
     let touching = simulation.contacts();
     let moving = moving(loaded, &mut simulation)?;
-    let mechanism = if is_held(&stability.friction) {
-        Mechanism::at_push(&loaded.scene, &stability, &touching)
-    } else {
-        Mechanism::now(&loaded.scene, &stability, &touching)
+    let mechanism = match (&moving[..], is_held(&stability.friction)) {
+        // Where statics has many motions, the first step has the one that begins.
+        ([_, ..], _) => Mechanism::now(&loaded.scene, &simulation.moving_bodies(), &touching),
+        ([], true) => mechanism_at_push(&loaded.scene, &stability, &touching),
+        ([], false) => Mechanism::now(&loaded.scene, &stability.friction.begins, &touching),
     };
     Ok(Standing { stability, contacts: simulation.contacts(), moving, mechanism })
 }

@@ -10,8 +10,9 @@
 //!
 //! Draws come last, so that a table of fewer draws is the beginning of that of more.
 
-use super::distribution::Distribution;
+use super::distribution::Drawing as _;
 use super::varied::{Values, Varied};
+use polhode_scene::Distribution;
 
 /// Runs that the nodes of a grid may be, together.
 const MOST_NODES: usize = 1024;

@@ -11,50 +11,10 @@ use super::error::SweepError;
 use super::gauss::{self, Weight};
 use blake2::digest::consts::U8;
 use blake2::{Blake2b, Digest};
-use std::fmt;
+use polhode_scene::Distribution;
 
 /// Bits of a share: with half of its last place added it is a float exactly.
 const BITS: u32 = 52;
-
-/// What a value is drawn from.
-#[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
-pub enum Distribution {
-    /// The normal distribution.
-    Normal {
-        /// Its mean.
-        mean: f64,
-        /// Its standard deviation, not negative.
-        deviation: f64,
-    },
-    /// A quantity whose logarithm is normal.
-    LogNormal {
-        /// Half of the draws lie below it; positive.
-        median: f64,
-        /// The standard deviation of the natural logarithm, not negative.
-        spread: f64,
-    },
-    /// All values between two are as probable as each other.
-    Uniform {
-        /// The smallest value.
-        low: f64,
-        /// The largest value.
-        high: f64,
-    },
-    /// Each of some values, at least one, is as probable as the others.
-    Choice(Vec<String>),
-}
-
-impl fmt::Display for Distribution {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Normal { mean, deviation } => write!(f, "normal({mean}, {deviation})"),
-            Self::LogNormal { median, spread } => write!(f, "lognormal({median}, {spread})"),
-            Self::Uniform { low, high } => write!(f, "uniform({low}, {high})"),
-            Self::Choice(values) => write!(f, "choice({})", values.join(", ")),
-        }
-    }
-}
 
 /// A node of a quadrature.
 #[derive(Debug, Clone, PartialEq)]
@@ -71,27 +31,49 @@ pub(super) struct Node {
 pub(super) const ACCEPTED: &str =
     "normal(MEAN, DEVIATION), lognormal(MEDIAN, SPREAD), uniform(LOW, HIGH), LOW..HIGH or choice(A, B, ...)";
 
-impl Distribution {
-    /// From its name and what stands in its brackets. None where no distribution bears the name.
-    ///
-    /// # Errors
-    /// When a number is missing, is none or is out of its limits.
-    pub(super) fn parse(name: &str, arguments: &[String]) -> Option<Result<Self, SweepError>> {
-        let two = |make: fn(f64, f64) -> Self| numbers(name, arguments).and_then(|[a, b]| make(a, b).checked());
-        Some(match name {
-            "normal" => two(|mean, deviation| Self::Normal { mean, deviation }),
-            "lognormal" => two(|median, spread| Self::LogNormal { median, spread }),
-            "uniform" => two(|low, high| Self::Uniform { low, high }),
-            "choice" => Self::Choice(arguments.to_vec()).checked(),
-            _ => return None,
-        })
-    }
+/// From its name and what stands in its brackets. None where no distribution bears the name.
+///
+/// # Errors
+/// When a number is missing, is none or is out of its limits.
+pub(super) fn parse(name: &str, arguments: &[String]) -> Option<Result<Distribution, SweepError>> {
+    let two = |make: fn(f64, f64) -> Distribution| numbers(name, arguments).and_then(|[a, b]| make(a, b).checked());
+    Some(match name {
+        "normal" => two(|mean, deviation| Distribution::Normal { mean, deviation }),
+        "lognormal" => two(|median, spread| Distribution::LogNormal { median, spread }),
+        "uniform" => two(|low, high| Distribution::Uniform { low, high }),
+        "choice" => Distribution::Choice(arguments.to_vec()).checked(),
+        _ => return None,
+    })
+}
 
+/// How values are drawn from a distribution, and integrals over it taken.
+pub(super) trait Drawing: Sized {
     /// The same, if its numbers are within their limits.
     ///
     /// # Errors
     /// When one is not.
-    pub fn checked(self) -> Result<Self, SweepError> {
+    fn checked(self) -> Result<Self, SweepError>;
+
+    /// The value, as a scene file has it, that this share of all draws lies below; `share` is between 0 and 1.
+    fn at(&self, share: f64) -> String;
+
+    /// The value of a run: it depends on nothing but seed, run and key.
+    fn draw(&self, seed: u64, run: u64, key: &str) -> String {
+        self.at(share(seed, run, key))
+    }
+
+    /// The standard deviation, near enough to choose a step by; none where values are no numbers.
+    fn deviation(&self) -> Option<f64>;
+
+    /// Nodes of Gauss's quadrature; all values of a choice, whatever their number.
+    fn nodes(&self, count: usize) -> Vec<Node>;
+
+    /// Where a value is among the nodes: as [`Node::at`].
+    fn place_of(&self, value: &str) -> Option<f64>;
+}
+
+impl Drawing for Distribution {
+    fn checked(self) -> Result<Self, SweepError> {
         let (what, is_accepted) = match &self {
             Self::Normal { mean, deviation } => (
                 format!("normal({mean}, {deviation}): a finite mean and a deviation that is not negative are needed"),
@@ -115,8 +97,7 @@ impl Distribution {
         if is_accepted { Ok(self) } else { Err(SweepError::Vary(what)) }
     }
 
-    /// The value, as a scene file has it, that this share of all draws lies below; `share` is between 0 and 1.
-    pub fn at(&self, share: f64) -> String {
+    fn at(&self, share: f64) -> String {
         let number = match self {
             Self::Normal { mean, deviation } => mean + deviation * inverse_normal(share),
             Self::LogNormal { median, spread } => median * libm::exp(spread * inverse_normal(share)),
@@ -129,8 +110,7 @@ impl Distribution {
         format!("{number:?}")
     }
 
-    /// The standard deviation, near enough to choose a step by; none where values are no numbers.
-    pub(super) fn deviation(&self) -> Option<f64> {
+    fn deviation(&self) -> Option<f64> {
         match self {
             Self::Normal { deviation, .. } => Some(*deviation),
             Self::LogNormal { median, spread } => Some(median * spread),
@@ -139,8 +119,7 @@ impl Distribution {
         }
     }
 
-    /// Nodes of Gauss's quadrature; all values of a choice, whatever their number.
-    pub(super) fn nodes(&self, count: usize) -> Vec<Node> {
+    fn nodes(&self, count: usize) -> Vec<Node> {
         if self.deviation() == Some(0.0) {
             return vec![Node { at: 0.0, weight: 1.0, value: self.at(0.5) }];
         }
@@ -164,8 +143,7 @@ impl Distribution {
         gauss::rule(weight, count).into_iter().map(node).collect()
     }
 
-    /// Where a value is among the nodes: as [`Node::at`].
-    pub(super) fn place_of(&self, value: &str) -> Option<f64> {
+    fn place_of(&self, value: &str) -> Option<f64> {
         let number = || value.parse::<f64>().ok();
         match self {
             _ if self.deviation() == Some(0.0) => Some(0.0),
@@ -174,11 +152,6 @@ impl Distribution {
             Self::Uniform { low, high } => number().map(|own| 2.0 * ((own - low) / (high - low)) - 1.0),
             Self::Choice(values) => values.iter().position(|own| own == value).map(|place| place as f64),
         }
-    }
-
-    /// The value of a run: it depends on nothing but seed, run and key.
-    pub fn draw(&self, seed: u64, run: u64, key: &str) -> String {
-        self.at(share(seed, run, key))
     }
 }
 

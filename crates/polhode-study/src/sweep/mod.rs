@@ -7,7 +7,7 @@
 //! | module | holds |
 //! |---|---|
 //! | `varied` | [`Varied`]: a key and its values |
-//! | `distribution` | [`Distribution`]: what values are drawn from |
+//! | `distribution` | how values are drawn from a distribution |
 //! | `uncertain` | the sweep of what a scene says is uncertain |
 //! | `design` | [`Sensitivities`]: which runs it has, and what each is for |
 //! | `gauss` | nodes and weights of Gauss's quadrature |
@@ -40,7 +40,6 @@ mod varied;
 
 pub use band::{Band, Share};
 pub use design::Sensitivities;
-pub use distribution::Distribution;
 pub(crate) use distribution::share;
 pub use error::SweepError;
 pub use findings::{Findings, Gathered, OfMeasure};

@@ -1,6 +1,7 @@
 //! Which runs a sweep has: values of lists combined, draws first, and what is measured of each.
 
 use super::design::{Design, Part};
+use super::distribution::Drawing as _;
 use super::error::SweepError;
 use super::measure::{Measure, Measured};
 use super::scene::SweepScene;

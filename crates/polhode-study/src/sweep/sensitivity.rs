@@ -13,7 +13,7 @@
 //! of second and fourth order are taken out (Richardson); the change by the last extrapolation is their error.
 
 use super::design::{Design, STEPS};
-use super::distribution::Node;
+use super::distribution::{Drawing as _, Node};
 use super::gauss;
 use super::varied::{Values, Varied};
 

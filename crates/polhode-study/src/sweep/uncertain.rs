@@ -2,14 +2,13 @@
 //! turned, is a value that is drawn.
 
 use super::design::{Design, Sensitivities};
-use super::distribution::Distribution;
 use super::error::SweepError;
 use super::measure::Measure;
 use super::plan::Sweep;
 use super::scene::SweepScene;
 use super::varied::{Acts, Values, Varied};
 use crate::candidate::change;
-use polhode_scene::{Draw, SceneFileError, Spread, StartPose, Uncertain};
+use polhode_scene::{Distribution, Draw, SceneFileError, StartPose, Uncertain};
 use std::num::NonZeroU64;
 
 impl Sweep {
@@ -54,8 +53,8 @@ fn drawn_of(uncertain: &[Uncertain]) -> (Vec<Varied>, Vec<StartPose>) {
     let (mut varied, mut poses) = (Vec::new(), Vec::new());
     for (number, own) in uncertain.iter().enumerate() {
         match own {
-            Uncertain::Key { key, spread } => {
-                let values = Values::Drawn(distribution_of(spread));
+            Uncertain::Key { key, drawn } => {
+                let values = Values::Drawn(drawn.clone());
                 varied.push(Varied { key: key.clone(), values, acts: Acts::Sets });
             }
             Uncertain::Poses { bodies, position_deviation_m, rotation_deviation_rad, draw } => {
@@ -87,18 +86,6 @@ fn moved(name: &str, places: &[usize], deviations: [f64; 3], acts: fn(Vec<usize>
         Varied { key: format!("{name}.{word}[{axis}]"), values, acts }
     };
     deviations.iter().enumerate().filter(|(_, own)| **own > 0.0).map(of_axis).collect()
-}
-
-fn distribution_of(spread: &Spread) -> Distribution {
-    match spread {
-        Spread::Normal { mean, deviation } => Distribution::Normal { mean: *mean, deviation: *deviation },
-        Spread::LogNormal { median, spread } => Distribution::LogNormal { median: *median, spread: *spread },
-        Spread::Uniform { low, high } | Spread::Interval { low, high } => {
-            Distribution::Uniform { low: *low, high: *high }
-        }
-        Spread::Choice(values) => Distribution::Choice(values.clone()),
-        _ => Distribution::Choice(vec![spread.middle()]),
-    }
 }
 
 /// The scene takes both ends of every range, and each value of a choice.

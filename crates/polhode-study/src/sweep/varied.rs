@@ -1,8 +1,9 @@
 //! What is varied in a sweep: keys of a scene, each with the values of a list or drawn from a distribution.
 
-use super::distribution::{ACCEPTED, Distribution};
+use super::distribution::{self, ACCEPTED, Drawing as _};
 use super::error::SweepError;
 use crate::candidate::Axis;
+use polhode_scene::Distribution;
 
 /// Values of a range at the most.
 const MOST_VALUES: usize = 10_000_000;
@@ -79,7 +80,7 @@ fn drawn(text: &str) -> Result<Option<Distribution>, SweepError> {
     let is_name = !name.is_empty() && name.trim().bytes().all(|byte| byte.is_ascii_alphabetic());
     let Some(inner) = rest.trim().strip_suffix(')').filter(|_| is_name) else { return Ok(None) };
     let arguments: Vec<String> = inner.split(',').map(|own| own.trim().to_owned()).collect();
-    let found = Distribution::parse(name.trim(), &arguments);
+    let found = distribution::parse(name.trim(), &arguments);
     found
         .ok_or_else(|| SweepError::Vary(format!("{text}: no distribution is called that; accepted: {ACCEPTED}")))?
         .map(Some)

@@ -3,13 +3,14 @@
 //! | module | holds |
 //! |---|---|
 //! | [`pace`] | which frames, and how long each is shown |
-//! | [`gif`] | GIF: 256 colours, opened everywhere |
+//! | [`gif`], `palette` | GIF: 256 colours, opened everywhere |
 //! | [`apng`] | animated PNG: every colour, larger |
 //! | [`webp`] | animated WebP without loss |
 
 pub mod apng;
 pub mod gif;
 pub mod pace;
+mod palette;
 pub mod webp;
 
 pub use apng::write_apng;

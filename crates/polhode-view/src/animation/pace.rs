@@ -1,12 +1,14 @@
 //! Which frames a moving picture has, and how long each is shown.
 
+use crate::annotations::{Annotations, Largest};
 use crate::camera::{Camera, Viewpoint};
 use crate::error::ViewError;
+use crate::framing::Framing;
+use crate::overlay::Overlay;
 use crate::raster::{Picture, PictureSize};
 use crate::recording::Recording;
 use crate::still::frame_from;
 use polhode::Flow;
-use polhode::spatial::DVec3;
 use std::fmt;
 
 /// Frames a second of a moving picture when no others are asked for.
@@ -31,9 +33,10 @@ impl fmt::Debug for Watcher<'_> {
 #[derive(Debug)]
 pub struct Pace<'a> {
     recording: &'a Recording,
-    bounds: [DVec3; 2],
+    framing: Framing,
     camera: Camera,
     size: PictureSize,
+    overlays: &'a [Overlay],
     watcher: Option<Watcher<'a>>,
 }
 
@@ -41,14 +44,14 @@ impl<'a> Pace<'a> {
     /// All frames of a recording, in pictures of this size.
     ///
     /// # Errors
-    /// When it has none.
+    /// When it has none, or its scene wants a camera that looks nowhere.
     pub fn new(recording: &'a Recording, size: PictureSize) -> Result<Self, ViewError> {
         if recording.times().is_empty() {
             return Err(ViewError::NoFrames);
         }
-        let bounds = recording.bounds();
-        let camera = Camera::for_box(bounds, size.aspect());
-        Ok(Self { recording, bounds, camera, size, watcher: None })
+        let framing = recording.framing();
+        let camera = framing.camera(&Viewpoint::default(), size.aspect())?;
+        Ok(Self { recording, framing, camera, size, overlays: &[], watcher: None })
     }
 
     /// Seen from a viewpoint.
@@ -56,8 +59,14 @@ impl<'a> Pace<'a> {
     /// # Errors
     /// When the viewpoint looks nowhere.
     pub fn seen_from(mut self, viewpoint: &Viewpoint) -> Result<Self, ViewError> {
-        self.camera = viewpoint.camera(self.bounds, self.size.aspect())?;
+        self.camera = self.framing.camera(viewpoint, self.size.aspect())?;
         Ok(self)
+    }
+
+    /// With overlays.
+    #[must_use]
+    pub fn with_overlays(self, overlays: &'a [Overlay]) -> Self {
+        Self { overlays, ..self }
     }
 
     /// Watched while it is drawn.
@@ -84,12 +93,15 @@ impl<'a> Pace<'a> {
     pub fn pictures(&self) -> impl Iterator<Item = Result<(Picture, u32), ViewError>> + '_ {
         let times = self.recording.times();
         let ms = |t: f64| (1000.0 * t).round() as u32;
+        let (recording, camera, bounds) = (self.recording, self.camera, self.framing.bounds());
+        let (overlays, largest) = (self.overlays, Largest::of(recording, 0..times.len()));
         (0..times.len()).map(move |frame| {
             if self.watcher.is_some_and(|Watcher(told)| told(frame) == Flow::Stop) {
                 return Err(ViewError::Stopped { drawn: frame, frames: times.len() });
             }
             let shown = times.get(frame + 1).map_or(LAST_MS, |&next| ms(next).saturating_sub(ms(times[frame])));
-            let picture = frame_from(self.recording, frame, self.camera, self.bounds, self.size);
+            let mut picture = frame_from(recording, frame, camera, bounds, self.size);
+            Annotations { recording, frame, camera, bounds, overlays, largest }.draw(&mut picture);
             Ok((picture, shown.max(LEAST_MS)))
         })
     }

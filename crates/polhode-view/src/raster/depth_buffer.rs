@@ -1,5 +1,6 @@
 //! What is nearest at each sample of a band of rows.
 
+use super::paint::Paint;
 use super::projection::Projected;
 use polhode::spatial::DVec3;
 
@@ -13,11 +14,11 @@ pub struct Seen {
     pub nearness: f64,
     /// Normal of the surface, of any length; zero of a line, which takes no light.
     pub normal: DVec3,
-    /// Number of the colour.
-    pub color: u16,
+    /// Number of the paint.
+    pub paint: u16,
 }
 
-const NOTHING: Seen = Seen { nearness: 0.0, normal: DVec3::ZERO, color: u16::MAX };
+const NOTHING: Seen = Seen { nearness: 0.0, normal: DVec3::ZERO, paint: u16::MAX };
 
 /// A triangle in samples.
 #[derive(Debug, Clone, Copy)]
@@ -26,8 +27,8 @@ pub struct FlatTriangle {
     pub corners: [Projected; 3],
     /// Normals at the corners.
     pub normals: [DVec3; 3],
-    /// Number of the colour.
-    pub color: u16,
+    /// Number of the paint.
+    pub paint: u16,
 }
 
 /// A line in samples.
@@ -35,8 +36,8 @@ pub struct FlatTriangle {
 pub struct FlatSegment {
     /// Ends.
     pub ends: [Projected; 2],
-    /// Number of the colour.
-    pub color: u16,
+    /// Number of the paint.
+    pub paint: u16,
 }
 
 /// A disc that faces the camera and takes light as a ball does.
@@ -48,8 +49,8 @@ pub struct FlatDisc {
     pub radius: f64,
     /// Unit vectors to the right, up, and forwards.
     pub axes: [DVec3; 3],
-    /// Number of the colour.
-    pub color: u16,
+    /// Number of the paint.
+    pub paint: u16,
 }
 
 /// A band of rows.
@@ -81,7 +82,7 @@ impl DepthBuffer {
     }
 
     /// Draws a triangle.
-    pub fn draw_triangle(&mut self, triangle: &FlatTriangle) {
+    pub fn draw_triangle(&mut self, triangle: &FlatTriangle, paint: &Paint) {
         let [a, b, c] = triangle.corners;
         let twice_area = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
         if twice_area == 0.0 || !twice_area.is_finite() {
@@ -101,8 +102,8 @@ impl DepthBuffer {
                 let wa = 1.0 - wb - wc;
                 let nearness = wa * a.nearness + wb * b.nearness + wc * c.nearness;
                 let seen = &mut self.samples[(y - self.rows[0]) * self.width + x];
-                if nearness > seen.nearness {
-                    *seen = Seen { nearness, normal: na * wa + nb * wb + nc * wc, color: triangle.color };
+                if nearness > seen.nearness && paint.covers(x, y) {
+                    *seen = Seen { nearness, normal: na * wa + nb * wb + nc * wc, paint: triangle.paint };
                 }
             }
         }
@@ -110,7 +111,7 @@ impl DepthBuffer {
 
     /// Draws a disc.
     pub fn draw_disc(&mut self, disc: &FlatDisc) {
-        let FlatDisc { center, radius, axes: [right, up, forwards], color } = *disc;
+        let FlatDisc { center, radius, axes: [right, up, forwards], paint } = *disc;
         for y in Self::covered(center.y - radius, center.y + radius, self.rows) {
             let down = (y as f64 + 0.5 - center.y) / radius;
             for x in Self::covered(center.x - radius, center.x + radius, [0, self.width]) {
@@ -119,14 +120,14 @@ impl DepthBuffer {
                 let seen = &mut self.samples[(y - self.rows[0]) * self.width + x];
                 if square <= 1.0 && center.nearness > seen.nearness {
                     let normal = right * across - up * down - forwards * (1.0 - square).sqrt();
-                    *seen = Seen { nearness: center.nearness, normal, color };
+                    *seen = Seen { nearness: center.nearness, normal, paint };
                 }
             }
         }
     }
 
     /// Draws a line of this width, samples.
-    pub fn draw_segment(&mut self, segment: &FlatSegment, width: f64) {
+    pub fn draw_segment(&mut self, segment: &FlatSegment, width: f64, paint: &Paint) {
         let [a, b] = segment.ends;
         let (dx, dy) = (b.x - a.x, b.y - a.y);
         let square = dx * dx + dy * dy;
@@ -154,8 +155,8 @@ impl DepthBuffer {
                 }
                 let nearness = (a.nearness + (b.nearness - a.nearness) * along) * LINE_NEARER;
                 let seen = &mut self.samples[(y - self.rows[0]) * self.width + x];
-                if nearness > seen.nearness {
-                    *seen = Seen { nearness, normal: DVec3::ZERO, color: segment.color };
+                if nearness > seen.nearness && paint.covers(x, y) {
+                    *seen = Seen { nearness, normal: DVec3::ZERO, paint: segment.paint };
                 }
             }
         }

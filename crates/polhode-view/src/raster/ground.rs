@@ -1,15 +1,13 @@
 //! Planes with a grid, which fades into the background far away.
 
 use super::scene_triangles::Plane;
-use crate::colors::Color;
+use crate::colors::{self, Color};
 use polhode::spatial::DVec3;
 
-/// Colour of the ground between the lines, linear light.
-const GROUND: Color = [0.60, 0.61, 0.63];
 /// Width of a line of the grid, as a fraction of the distance between lines.
 const LINE: f64 = 0.012;
-/// How much darker a line is.
-const LINE_LIGHT: f64 = 0.72;
+/// How strong a line is.
+const LINE_INK: f64 = 0.7;
 /// Distance between lines, as a fraction of the size of what is shown, before it is rounded.
 const SPACING: f64 = 0.25;
 /// Where the ground begins to fade and where it has faded, in sizes of what is shown.
@@ -24,6 +22,8 @@ pub struct Ground {
     center: DVec3,
     size_m: f64,
     spacing_m: f64,
+    /// Of the ground, and of a line on it.
+    colors: [Color; 2],
 }
 
 /// What is seen of a plane.
@@ -55,7 +55,11 @@ impl Ground {
             planes: planes.iter().map(|plane| (*plane, axes(plane))).collect(),
             center: 0.5 * (bounds[0] + bounds[1]),
             size_m,
-            spacing_m: round_spacing(SPACING * size_m),
+            spacing_m: spacing_m(bounds),
+            colors: {
+                let [ground, grid] = [colors::GROUND, colors::GRID].map(colors::linear);
+                [ground, std::array::from_fn(|i| ground[i] + (grid[i] - ground[i]) * LINE_INK)]
+            },
         }
     }
 
@@ -81,15 +85,20 @@ impl Ground {
                 let at = axis.dot(place) / self.spacing_m;
                 (at - at.round()).abs() < 0.5 * LINE
             });
-            let color = if on_line { GROUND.map(|c| c * LINE_LIGHT) } else { GROUND };
+            let color = self.colors[usize::from(on_line)];
             nearest = Some(GroundPoint { nearness, place, normal: plane.normal, color, strength });
         }
         nearest.filter(|point| point.strength > 0.0)
     }
 }
 
+/// Distance between the lines of the grid under what lies in a box, m.
+pub fn spacing_m(bounds: [DVec3; 2]) -> f64 {
+    round_length(SPACING * (bounds[1] - bounds[0]).length())
+}
+
 /// 1, 2 or 5 times a power of ten, at most this.
-fn round_spacing(wanted: f64) -> f64 {
+pub(crate) fn round_length(wanted: f64) -> f64 {
     let mut spacing = SMALLEST_SPACING_M;
     while 10.0 * spacing <= wanted && spacing.is_finite() {
         spacing *= 10.0;

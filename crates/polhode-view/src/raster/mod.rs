@@ -10,11 +10,16 @@
 //! | [`shadow_map`] | what the lamp sees |
 //! | [`marks`] | bodies too small to be seen, and the paths that they have come |
 //! | [`ground`] | planes with a grid |
+//! | [`paint`] | colours, with how much of them is seen |
+//! | [`canvas`], `glyphs` | lines and words on a picture |
 //! | [`picture`] | the picture, and how it is made |
 
+pub mod canvas;
 pub mod depth_buffer;
+mod glyphs;
 pub mod ground;
 pub mod marks;
+pub mod paint;
 pub mod picture;
 pub mod projection;
 pub mod scene_triangles;

@@ -3,28 +3,24 @@
 use super::depth_buffer::{DepthBuffer, FlatDisc, FlatSegment, FlatTriangle, Seen};
 use super::ground::Ground;
 use super::marks::Marks;
+use super::paint::{Paint, Paints, SAMPLES};
 use super::projection::{Projected, Projection};
 use super::scene_triangles::SceneTriangles;
 use super::shadow_map::ShadowMap;
 use crate::camera::Camera;
-use crate::colors::{self, Color};
+use crate::colors::{self, Color, Encoding};
 use crate::error::ViewError;
 use crate::light::Light;
 use polhode::spatial::DVec3;
 
-/// Samples of a pixel each way.
-const SAMPLES: u32 = 3;
 /// Rows of pixels of a band.
 const BAND: u32 = 16;
 /// Pixels each way at the most.
 const MOST_PIXELS: u32 = 8192;
+/// Normals of one pixel whose product is at least this, as a fraction of a square, are one.
+const SAME: f64 = 0.98;
 /// Width of a line, pixels.
 const LINE_WIDTH: f64 = 1.1;
-/// Light of a line, as a fraction of the colour of its body.
-const LINE_LIGHT: f64 = 0.22;
-/// Background at the top and at the bottom, linear light.
-const BACKGROUND: [Color; 2] = [[0.80, 0.84, 0.90], [0.93, 0.94, 0.95]];
-
 /// Width and height of a picture, pixels.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct PictureSize {
@@ -90,13 +86,15 @@ pub fn draw(
     let mut flat = Flattened::new(scene, &projection);
     flat.add_marks(marks, &projection);
     let view = View {
-        scene,
+        paints: &flat.paints,
+        behind: colors::linear(colors::STAGE),
         light,
         shadow: ShadowMap::new(scene, light),
         ground: Ground::new(&scene.planes, bounds),
         projection,
     };
     let mut rgb = Vec::with_capacity(3 * size.width as usize * size.height as usize);
+    let encoding = Encoding::default();
     let mut top = 0;
     while top < size.height {
         let bottom = (top + BAND).min(size.height);
@@ -105,7 +103,7 @@ pub fn draw(
         flat.draw(&mut buffer, rows);
         for y in top..bottom {
             for x in 0..size.width {
-                rgb.extend(colors::srgb(view.pixel(&buffer, x, y)));
+                rgb.extend(encoding.srgb(view.pixel(&buffer, x, y)));
             }
         }
         top = bottom;
@@ -118,12 +116,14 @@ struct Flattened {
     triangles: Vec<([f64; 2], FlatTriangle)>,
     segments: Vec<([f64; 2], FlatSegment)>,
     discs: Vec<([f64; 2], FlatDisc)>,
+    paints: Paints,
 }
 
 impl Flattened {
     fn new(scene: &SceneTriangles, projection: &Projection) -> Self {
         let camera = &projection.camera;
-        let mut flat = Self { triangles: Vec::new(), segments: Vec::new(), discs: Vec::new() };
+        let (triangles, segments, discs) = (Vec::new(), Vec::new(), Vec::new());
+        let mut flat = Self { triangles, segments, discs, paints: scene.paints.clone() };
         for triangle in &scene.triangles {
             for corners in projection.cut(triangle.corners.map(|corner| camera.seen(corner))) {
                 let normal = |weights: DVec3| {
@@ -133,26 +133,27 @@ impl Flattened {
                 let corners = corners.map(|(seen, _)| projection.project(seen));
                 let rows = corners.map(|corner| corner.y);
                 let rows = [rows[0].min(rows[1]).min(rows[2]), rows[0].max(rows[1]).max(rows[2])];
-                flat.triangles.push((rows, FlatTriangle { corners, normals, color: triangle.color }));
+                flat.triangles.push((rows, FlatTriangle { corners, normals, paint: triangle.paint }));
             }
         }
         for segment in &scene.segments {
-            flat.add_segment(segment.ends, segment.color, projection);
+            flat.add_segment(segment.ends, segment.paint, projection);
         }
         flat
     }
 
-    fn add_segment(&mut self, ends: [DVec3; 2], color: u16, projection: &Projection) {
+    fn add_segment(&mut self, ends: [DVec3; 2], paint: u16, projection: &Projection) {
         let Some(ends) = projection.cut_segment(ends.map(|end| projection.camera.seen(end))) else { return };
         let ends = ends.map(|end| projection.project(end));
         let rows = [ends[0].y.min(ends[1].y), ends[0].y.max(ends[1].y)];
-        self.segments.push((rows, FlatSegment { ends, color }));
+        self.segments.push((rows, FlatSegment { ends, paint }));
     }
 
     fn add_marks(&mut self, marks: &Marks, projection: &Projection) {
         for path in &marks.paths {
+            let paint = self.paints.number_of(path.color, 1.0);
             for ends in path.places.windows(2) {
-                self.add_segment([ends[0], ends[1]], path.color, projection);
+                self.add_segment([ends[0], ends[1]], paint, projection);
             }
         }
         let camera = &projection.camera;
@@ -164,16 +165,23 @@ impl Flattened {
             let nearness = (1.0 + radius / focal) / seen.z;
             let center = Projected { nearness, ..projection.project(seen) };
             let rows = [center.y - radius, center.y + radius];
-            self.discs.push((rows, FlatDisc { center, radius, axes: camera.axes, color: disc.color }));
+            let paint = self.paints.number_of(disc.color, 1.0);
+            self.discs.push((rows, FlatDisc { center, radius, axes: camera.axes, paint }));
         }
     }
 
     fn draw(&self, buffer: &mut DepthBuffer, rows: [usize; 2]) {
         let width = LINE_WIDTH * f64::from(SAMPLES);
         let meets = |[low, high]: [f64; 2]| high + width >= rows[0] as f64 && low - width <= rows[1] as f64;
-        self.triangles.iter().filter(|(rows, _)| meets(*rows)).for_each(|(_, triangle)| buffer.draw_triangle(triangle));
+        for (_, triangle) in self.triangles.iter().filter(|(rows, _)| meets(*rows)) {
+            if let Some(paint) = self.paints.get(triangle.paint) {
+                buffer.draw_triangle(triangle, paint);
+            }
+        }
         for (_, segment) in self.segments.iter().filter(|(rows, _)| meets(*rows)) {
-            buffer.draw_segment(segment, width);
+            if let Some(paint) = self.paints.get(segment.paint) {
+                buffer.draw_segment(segment, width, paint);
+            }
         }
         self.discs.iter().filter(|(rows, _)| meets(*rows)).for_each(|(_, disc)| buffer.draw_disc(disc));
     }
@@ -181,54 +189,104 @@ impl Flattened {
 
 /// What gives samples their colours.
 struct View<'a> {
-    scene: &'a SceneTriangles,
+    paints: &'a Paints,
+    behind: Color,
     light: &'a Light,
     shadow: Option<ShadowMap>,
     ground: Ground,
     projection: Projection,
 }
 
+/// What the samples of a pixel have in common: how much of the lamp they see is asked once.
+#[derive(Clone, Copy)]
+enum Shade {
+    /// Each sample asks.
+    Asked,
+    /// All see so much of the lamp.
+    Known(f64),
+}
+
 impl View<'_> {
     /// The mean of the samples of a pixel.
     fn pixel(&self, buffer: &DepthBuffer, x: u32, y: u32) -> Color {
-        let mut sum = [0.0; 3];
-        for v in y * SAMPLES..(y + 1) * SAMPLES {
-            for u in x * SAMPLES..(x + 1) * SAMPLES {
-                let color = self.sample(buffer.at(u as usize, v as usize), u, v);
-                sum = std::array::from_fn(|i| sum[i] + color[i]);
+        let (left, top) = (x * SAMPLES, y * SAMPLES);
+        let middle = buffer.at((left + 1) as usize, (top + 1) as usize);
+        let all = || (top..top + SAMPLES).flat_map(|v| (left..left + SAMPLES).map(move |u| (u, v)));
+        let is_same = |seen: &Seen| {
+            seen.paint == middle.paint && seen.normal.dot(middle.normal) >= SAME * middle.normal.length_squared()
+        };
+        let shade = if all().all(|(u, v)| is_same(buffer.at(u as usize, v as usize))) {
+            let shade = self.shade(middle, left + 1, top + 1);
+            // One surface, and nothing before it: one sample stands for all.
+            if middle.nearness > 0.0
+                && matches!(shade, Shade::Known(_))
+                && self.hides_ground(middle, [left + 1, top + 1])
+            {
+                return self.sample(middle, [left + 1, top + 1], shade);
             }
+            shade
+        } else {
+            Shade::Asked
+        };
+        let mut sum = [0.0; 3];
+        for (u, v) in all() {
+            let color = self.sample(buffer.at(u as usize, v as usize), [u, v], shade);
+            sum = std::array::from_fn(|i| sum[i] + color[i]);
         }
         sum.map(|channel| channel / f64::from(SAMPLES * SAMPLES))
     }
 
-    fn sample(&self, seen: &Seen, x: u32, y: u32) -> Color {
+    /// Whether no ground lies before what is seen at a sample.
+    fn hides_ground(&self, seen: &Seen, [x, y]: [u32; 2]) -> bool {
+        let ground = self.ground.seen(self.projection.camera.eye, self.projection.ray(x, y));
+        ground.is_none_or(|ground| ground.nearness <= seen.nearness)
+    }
+
+    /// How much of the lamp a sample sees.
+    fn shade(&self, seen: &Seen, x: u32, y: u32) -> Shade {
+        let (eye, ray) = (self.projection.camera.eye, self.projection.ray(x, y));
+        match self.ground.seen(eye, ray).filter(|ground| ground.nearness > seen.nearness) {
+            // Where the ground fades, two surfaces are seen.
+            Some(ground) if ground.strength >= 1.0 => Shade::Known(self.lit(ground.place, ground.normal)),
+            Some(_) => Shade::Asked,
+            None => match seen.normal.try_normalize() {
+                Some(normal) if seen.nearness > 0.0 => {
+                    Shade::Known(self.lit(eye + ray / seen.nearness, facing(normal, ray)))
+                }
+                _ => Shade::Asked,
+            },
+        }
+    }
+
+    fn sample(&self, seen: &Seen, [x, y]: [u32; 2], shade: Shade) -> Color {
         let camera = &self.projection.camera;
         let ray = self.projection.ray(x, y);
         let ground = self.ground.seen(camera.eye, ray).filter(|ground| ground.nearness > seen.nearness);
-        let behind = || {
-            let down = f64::from(y) / f64::from(self.projection.samples[1]);
-            mix(BACKGROUND[0], BACKGROUND[1], down)
+        let lit = |place: DVec3, normal: DVec3| match shade {
+            Shade::Known(lit) => lit,
+            Shade::Asked => self.lit(place, normal),
         };
-        if let Some(ground) = ground {
-            let light = self.light.on(ground.normal, self.lit(ground.place, ground.normal));
-            let beyond = if seen.nearness > 0.0 { self.surface(seen, camera.eye, ray) } else { behind() };
-            return mix(beyond, ground.color.map(|c| c * light), ground.strength);
-        }
-        if seen.nearness > 0.0 { self.surface(seen, camera.eye, ray) } else { behind() }
-    }
-
-    fn surface(&self, seen: &Seen, eye: DVec3, ray: DVec3) -> Color {
-        let color = self.scene.colors.get(usize::from(seen.color)).copied().unwrap_or([0.5; 3]);
-        let Some(normal) = seen.normal.try_normalize() else { return color.map(|c| c * LINE_LIGHT) };
-        // Of a surface with two sides the one that is seen.
-        let normal = if normal.dot(ray) > 0.0 { -normal } else { normal };
-        let light = self.light.on(normal, self.lit(eye + ray / seen.nearness, normal));
-        color.map(|c| c * light)
+        let surface = || {
+            let Some(Paint { color, .. }) = self.paints.get(seen.paint) else { return self.behind };
+            let Some(normal) = seen.normal.try_normalize() else { return *color };
+            // Of a surface with two sides the one that is seen.
+            let normal = facing(normal, ray);
+            let light = self.light.on(normal, lit(camera.eye + ray / seen.nearness, normal));
+            color.map(|c| c * light)
+        };
+        let Some(ground) = ground else { return surface() };
+        let light = self.light.on(ground.normal, lit(ground.place, ground.normal));
+        mix(surface(), ground.color.map(|c| c * light), ground.strength)
     }
 
     fn lit(&self, place: DVec3, normal: DVec3) -> f64 {
         self.shadow.as_ref().map_or(1.0, |shadow| shadow.lit(place, normal))
     }
+}
+
+/// A normal on the side that is seen.
+fn facing(normal: DVec3, ray: DVec3) -> DVec3 {
+    if normal.dot(ray) > 0.0 { -normal } else { normal }
 }
 
 /// From `a` (at 0) to `b` (at 1).

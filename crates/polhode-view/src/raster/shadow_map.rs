@@ -2,8 +2,9 @@
 //!
 //! A place is in shadow where the lamp sees something nearer. Source: docs/REFERENCES.md, Williams 1978.
 
+use super::paint::Paint;
 use super::projection::Projected;
-use super::scene_triangles::SceneTriangles;
+use super::scene_triangles::{SceneTriangles, Triangle};
 use crate::light::Light;
 use polhode::spatial::DVec3;
 
@@ -32,7 +33,8 @@ impl ShadowMap {
         let across = towards.any_orthonormal_vector();
         let axes = [across, towards.cross(across), towards];
         let seen = |p: DVec3| DVec3::from_array(axes.map(|axis| axis.dot(p)));
-        let points = scene.triangles.iter().flat_map(|triangle| triangle.corners).map(seen);
+        let is_solid = |triangle: &&Triangle| scene.paints.get(triangle.paint).is_some_and(Paint::is_solid);
+        let points = scene.triangles.iter().filter(is_solid).flat_map(|triangle| triangle.corners).map(seen);
         let bounds = points.fold(None, |bounds: Option<[DVec3; 2]>, p| {
             Some(bounds.map_or([p; 2], |[low, high]| [low.min(p), high.max(p)]))
         });
@@ -43,7 +45,7 @@ impl ShadowMap {
         }
         let low = low - DVec3::new(texel_m, texel_m, 0.0);
         let mut map = Self { axes, low, texel_m, heights: vec![f32::NEG_INFINITY; SIZE * SIZE] };
-        for triangle in &scene.triangles {
+        for triangle in scene.triangles.iter().filter(is_solid) {
             map.draw(triangle.corners.map(seen));
         }
         Some(map)

@@ -10,6 +10,7 @@
 //! | [`round`] | sphere, cylinder, cone, capsule and torus |
 //! | [`polyhedron`] | convex polyhedra |
 //! | [`triangles`] | surfaces of triangles, smooth where they bend little |
+//! | [`tube`] | tubes along a line |
 //! | [`points`] | sets of points |
 //! | [`part`], [`parts`] | a part, and the parts of any shape |
 
@@ -21,6 +22,7 @@ pub mod polyhedron;
 pub mod revolution;
 pub mod round;
 pub mod triangles;
+pub mod tube;
 
 pub use detail::Detail;
 pub use part::Part;

@@ -17,6 +17,11 @@ pub struct Part {
 }
 
 impl Part {
+    /// A mesh as it is.
+    pub fn of(mesh: usize) -> Self {
+        Self { mesh, position: DVec3::ZERO, orientation: Rotation::IDENTITY, scale: DVec3::ONE }
+    }
+
     /// A point of the mesh in the body's frame.
     pub fn point(&self, point: DVec3) -> DVec3 {
         self.position + self.orientation.rotate(point * self.scale)

@@ -63,6 +63,19 @@ const LEAST_THICKNESS: f64 = 0.02;
 /// Radius of what is drawn of a point mass, m.
 const LEAST_SIZE_M: f64 = 0.05;
 
+/// A rod between two places, m.
+pub fn rod([a, b]: [DVec3; 2], radius_m: f64, detail: Detail, library: &mut MeshLibrary) -> Part {
+    let mesh = library.number_of(MeshKey::new("cylinder", []), || round::unit_cylinder(detail));
+    let scale = DVec3::new(radius_m, radius_m, a.distance(b));
+    Part { mesh, position: 0.5 * (a + b), orientation: from_z(b - a), scale }
+}
+
+/// A ball at a place, m.
+pub fn ball(place: DVec3, radius_m: f64, detail: Detail, library: &mut MeshLibrary) -> Part {
+    let mesh = library.number_of(MeshKey::new("sphere", []), || round::unit_sphere(detail));
+    Part { position: place, scale: DVec3::splat(radius_m), ..Part::of(mesh) }
+}
+
 struct Builder<'a> {
     parts: Parts,
     detail: Detail,

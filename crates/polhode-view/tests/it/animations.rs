@@ -31,12 +31,26 @@ fn gif() {
     let mut bytes = Vec::new();
     write_gif(&Pace::new(&recording, size()).unwrap(), &mut bytes).unwrap();
     let mut decoder = gif::DecodeOptions::new().read_info(Cursor::new(&bytes)).unwrap();
-    let mut delays = Vec::new();
-    while let Some(frame) = decoder.read_next_frame().unwrap() {
-        assert_eq!((frame.width, frame.height), (64, 48));
+    assert_eq!((decoder.width(), decoder.height()), (64, 48));
+    let (mut delays, mut cells) = (Vec::new(), 0);
+    // What is left of one frame stands where the next one does not draw.
+    let mut canvas = vec![0_u8; 3 * 64 * 48];
+    for drawn in Pace::new(&recording, size()).unwrap().pictures() {
+        let frame = decoder.read_next_frame().unwrap().unwrap();
         delays.push(frame.delay);
+        cells += frame.buffer.len();
+        let palette = frame.palette.as_ref().unwrap();
+        for (place, number) in frame.buffer.iter().enumerate() {
+            let (x, y) = (place % usize::from(frame.width), place / usize::from(frame.width));
+            let at = 3 * ((usize::from(frame.top) + y) * 64 + usize::from(frame.left) + x);
+            canvas[at..at + 3].copy_from_slice(&palette[3 * usize::from(*number)..][..3]);
+        }
+        let apart = canvas.iter().zip(&drawn.unwrap().0.rgb).map(|(a, b)| a.abs_diff(*b)).max();
+        assert!(apart < Some(12), "{apart:?}");
     }
+    assert!(decoder.read_next_frame().unwrap().is_none());
     assert_eq!(delays, [4, 4, 4, 4, 4, 100]);
+    assert!(cells < FRAMES * 64 * 48, "only what has changed is written");
 }
 
 #[test]

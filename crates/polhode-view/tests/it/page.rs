@@ -5,6 +5,7 @@ use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use polhode::contact::Shape;
 use polhode::mesh::solid_box;
+use polhode::scene::Joint;
 use polhode::spatial::{DVec3, Mass, Pose, UnitVector, Velocity};
 use polhode::{Body, BodyId, BodySample, Observer, Recorder, Scene, Simulation};
 use polhode_view::{FrameSource, Page, ViewError};
@@ -151,4 +152,42 @@ fn what_is_refused() {
     assert!(shown(&[sample(0.0), sample(1.0)]).is_ok());
     assert!(matches!(shown(&[sample(0.0)]), Err(ViewError::BodyCount { found: 1, needed: 2 })));
     assert!(matches!(shown(&[sample(0.0), sample(f64::NAN)]), Err(ViewError::NotFinite { .. })));
+}
+
+/// A pendulum on a rope: the page has its hinge as a part, its rope as a link, and the points that a camera holds.
+#[test]
+fn joints_and_frame() {
+    let brick = Body::movable("brick", solid_box(DVec3::ONE, Mass::new(2.0).unwrap()).unwrap())
+        .geometry(Shape::cuboid(DVec3::ONE).unwrap().into());
+    let mut scene = Scene::builder("hung");
+    let a = scene.add_body(brick.clone());
+    let b = scene.add_body(brick.renamed("other").pose(Pose::from_translation(DVec3::X * 3.0)));
+    let scene = scene
+        .joint(Joint::hinge(a, DVec3::Z, UnitVector::Y))
+        .joint(Joint::rope(b, DVec3::X * 3.0, DVec3::new(3.0, 0.0, 4.0), 5.0).unwrap())
+        .build()
+        .unwrap();
+    let show: Value = serde_json::from_str(element(&page_of(&scene), "polhode-show")).unwrap();
+    let run = &show["runs"][0];
+    assert_eq!(run["joints"], 2);
+    assert_eq!(run["fixtures"].as_array().unwrap().len(), 1);
+    assert_eq!(run["links"][0]["kind"], "rope");
+    assert_eq!(run["links"][0]["length_m"], 5.0);
+    let standing = run["frame"]["standing"].as_array().unwrap();
+    assert!(standing.contains(&serde_json::json!([3.0, 0.0, 4.0])), "{standing:?}");
+    assert!(run["frame"]["moving"].as_array().unwrap().len() > 8);
+    assert_eq!(run["bodies"][0]["colour"], "#5692cc");
+    assert!((show["look"]["field_of_view_rad"].as_f64().unwrap() - 0.6).abs() < 1e-12);
+}
+
+/// Page and picture have one palette: the style of a light page has the colours that pictures are drawn with.
+#[test]
+fn one_palette() {
+    let page = page_of(&falling());
+    for line in ["--stage: light-dark(#eef1f4", "--ground: light-dark(#dde2e7", "--grid: light-dark(#8e98a4"] {
+        assert!(page.contains(line), "{line}");
+    }
+    let (_, grey) = polhode::scene::COLORS.iter().find(|(name, _)| *name == "grey").unwrap();
+    let [r, g, b] = grey;
+    assert!(page.contains(&format!("--fixed-body: light-dark(#{r:02x}{g:02x}{b:02x}")));
 }

@@ -13,11 +13,13 @@ import {
   Vector3,
 } from 'three';
 import { coarseGeometry, SMALL_PIXELS, worthCoarse } from './coarse.js';
-import { BODY_COLOURS } from './colours.js';
+import { LOOK } from './framing.js';
 import { instancedLines, instancedMesh, writeMatrix } from './instances.js';
 import { matrixOf, turn } from './rotation.js';
 import { colour } from './theme.js';
 
+/** The pose of what is fixed in the world. */
+const WORLD = [0, 0, 0, 1, 0, 0, 0];
 /** How much of a ghosted run is seen. */
 const GHOST_OPACITY = 0.3;
 
@@ -78,10 +80,11 @@ function partPlace(part, geometry) {
 
 /** The parts of one mesh: drawn fine, or coarse where they are small in the picture. */
 class PartSet {
-  constructor(members, geometry, look) {
+  constructor(members, geometry, look, opacity) {
     this.members = members;
     const material = bodyMaterial(geometry.faces, geometry.edges === null);
-    if (look.ghost) Object.assign(material, { transparent: true, opacity: GHOST_OPACITY, depthWrite: false });
+    const seen = look.ghost ? GHOST_OPACITY * opacity : opacity;
+    if (seen < 1) Object.assign(material, { transparent: true, opacity: seen, depthWrite: false });
     /** Colour of each member, red, green, blue. */
     this.colours = new Float32Array(3 * members.length).fill(1);
     this.fine = this.makeMesh(geometry.faces, material, look);
@@ -89,14 +92,14 @@ class PartSet {
     this.coarse = coarse ? this.makeMesh(coarseGeometry(geometry.faces), material, look) : null;
     this.lines = null;
     if (!geometry.edges) return;
-    const ink = new LineBasicMaterial({ transparent: true, opacity: look.ghost ? GHOST_OPACITY : 0.75 });
+    const ink = new LineBasicMaterial({ transparent: true, opacity: Math.min(0.75, seen) });
     this.lines = instancedLines(geometry.edges, ink, members.length, this.fine.mesh.instanceMatrix);
   }
 
   /** A mesh with room for all members; `shown` lists those that it draws now. */
   makeMesh(geometry, material, look) {
     const mesh = instancedMesh(geometry, material, this.members.length);
-    mesh.castShadow = look.shadows && !look.ghost;
+    mesh.castShadow = look.shadows && !look.ghost && !material.transparent;
     mesh.receiveShadow = look.shadows;
     mesh.instanceColor = new InstancedBufferAttribute(new Float32Array(this.colours.length), 3);
     mesh.instanceColor.setUsage(DynamicDrawUsage);
@@ -113,9 +116,10 @@ class PartSet {
     for (const level of levels) level.shown.length = 0;
     const turned = new Float64Array(9);
     this.members.forEach(({ body, matrix, origin, radius }, member) => {
-      matrixOf(poses, 7 * body + 3, turned);
+      const [pose, at] = body === null ? [WORLD, 0] : [poses, 7 * body];
+      matrixOf(pose, at + 3, turned);
       const o = turn(turned, origin);
-      for (let k = 0; k < 3; k += 1) o[k] += poses[7 * body + k];
+      for (let k = 0; k < 3; k += 1) o[k] += pose[at + k];
       const small = this.coarse && eye && (radius * eye.pixels) / distance(o, eye.place) < SMALL_PIXELS;
       const level = small ? this.coarse : this.fine;
       const instance = level.shown.push(member) - 1;
@@ -155,16 +159,22 @@ export class Bodies {
   constructor(run, geometries, look) {
     this.run = run;
     this.group = new Group();
-    const members = geometries.map(() => []);
+    /** Members by mesh and by how much of them is seen. */
+    const members = new Map();
+    const add = (part, opacity, member) => {
+      const key = `${part.mesh} ${opacity}`;
+      if (!members.has(key)) members.set(key, { mesh: part.mesh, opacity, list: [] });
+      members.get(key).list.push({ ...member, ...partPlace(part, geometries[part.mesh].faces) });
+    };
     run.bodies.forEach((body, index) => {
-      if (look.ghost && !body.moves) return;
-      for (const part of body.parts) {
-        members[part.mesh].push({ body: index, ...partPlace(part, geometries[part.mesh].faces) });
-      }
+      if ((look.ghost && !body.moves) || body.opacity === 0) return;
+      for (const part of body.parts) add(part, body.opacity, { body: index, colour: null });
     });
-    this.sets = members
-      .map((list, mesh) => (list.length > 0 ? new PartSet(list, geometries[mesh], look) : null))
-      .filter(Boolean);
+    for (const { body, part } of look.ghost ? [] : run.fixtures) {
+      if (body !== null && run.bodies[body].opacity === 0) continue;
+      add(part, 1, { body, colour: look.fixture ?? LOOK.fixture });
+    }
+    this.sets = [...members.values()].map(({ mesh, opacity, list }) => new PartSet(list, geometries[mesh], look, opacity));
     for (const set of this.sets) this.group.add(...set.objects());
     this.showEdges(look.edges);
     this.applyTheme();
@@ -181,15 +191,15 @@ export class Bodies {
 
   /** The colour of a body when no overlay asks for another. */
   plainColour(body) {
-    return this.run.bodies[body].moves ? BODY_COLOURS[body % BODY_COLOURS.length] : colour('fixed-body');
+    return this.run.bodies[body].colour ?? colour('fixed-body');
   }
 
   /** Paints every body in the colour that colourOf(body) gives; it is seen after the next update. */
   paint(colourOf) {
     const of_text = new Map();
     for (const { colours, members } of this.sets) {
-      members.forEach(({ body }, member) => {
-        const text = colourOf(body);
+      members.forEach(({ body, colour: own }, member) => {
+        const text = own ?? colourOf(body);
         if (!of_text.has(text)) of_text.set(text, new Color(text));
         of_text.get(text).toArray(colours, 3 * member);
       });

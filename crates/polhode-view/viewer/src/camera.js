@@ -1,44 +1,23 @@
-// The camera: orbit by mouse or finger, presets, fitting, following a body. z is up.
+// The camera: orbit by mouse or finger, presets, framing, following a body. z is up.
 
 import { MathUtils, Raycaster, Vector2, Vector3 } from 'three';
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
+import { cornersOf, FROM, holding, LOOK, middleOf } from './framing.js';
 
-/** Directions from what is looked at to the camera. Top leans a little: straight from above, "up" has no meaning. */
-const PRESETS = {
-  front: new Vector3(0, -1, 0.12),
-  side: new Vector3(1, 0, 0.12),
-  top: new Vector3(0, -0.001, 1),
-  iso: new Vector3(0.85, -1.25, 0.75),
-};
-/** Names of all presets; "fit" keeps the direction. */
-export const CAMERAS = ['fit', ...Object.keys(PRESETS)];
-/** How much wider than what is looked at the picture is: the buttons stand at its rim. */
-const MARGIN = 1.3;
+/** Names of all presets; "fit" keeps the direction, "home" is the first view of the page. */
+export const CAMERAS = ['fit', 'home', ...LOOK.cameras.map(({ name }) => name)];
+/** Height in CSS pixels of the buttons at the upper and the lower rim, and the least share of the picture without them. */
+const BUTTONS = 44;
+const LEAST_SHARE = 0.6;
 /** A press that moves less than this many pixels is a click. */
 const CLICK_PIXELS = 5;
 
-/**
- * The distance from the middle of a box, along `direction`, at which all its corners lie in the picture: a corner at x
- * across, y up and z towards the camera is in it when |x| / (distance - z) is at most `wide` and |y| / (distance - z)
- * at most `high`.
- */
-function fittingDistance(box, direction, wide, high) {
-  const right = new Vector3(0, 0, 1).cross(direction).normalize();
-  const up = direction.clone().cross(right);
-  const half = box.getSize(new Vector3()).multiplyScalar(0.5);
-  let distance = 0;
-  for (let corner = 0; corner < 8; corner += 1) {
-    const sign = (bit) => ((corner >> bit) & 1 ? 1 : -1);
-    const at = new Vector3(half.x * sign(0), half.y * sign(1), half.z * sign(2));
-    const needed = Math.max(Math.abs(at.dot(right)) / wide, Math.abs(at.dot(up)) / high);
-    distance = Math.max(distance, needed + at.dot(direction));
-  }
-  return distance;
-}
-
 export class Camera {
-  constructor(stage, changed) {
+  /** `home` says from where the page looks at first, and may be null. */
+  constructor(stage, changed, home = null) {
     this.stage = stage;
+    this.shared = stage.shared;
+    this.home = home;
     this.changed = changed;
     this.controls = new OrbitControls(stage.camera, stage.canvas);
     this.controls.addEventListener('change', changed);
@@ -51,23 +30,36 @@ export class Camera {
 
   /** From where a preset looks. */
   direction(name) {
-    return (PRESETS[name]?.clone() ?? this.stage.camera.position.clone().sub(this.target)).normalize();
+    if (name === 'home') return this.home?.from ?? FROM;
+    const preset = this.shared.cameras.find((camera) => camera.name === name);
+    return preset?.from ?? this.stage.camera.position.clone().sub(this.target).toArray();
   }
 
-  /** How far away a preset looks at a box from; the canvas is divided in so many parts across and down. */
-  distance(name, bounds, [across, down]) {
+  /** Where a preset stands to hold all points, or a box of three.js; the canvas is divided in so many parts across and down. */
+  place(name, held, [across, down]) {
+    const points = held.isBox3 ? cornersOf([held.min.toArray(), held.max.toArray()]) : held;
     const { camera, width, height } = this.stage;
-    const high = Math.tan(MathUtils.degToRad(camera.fov / 2)) / MARGIN;
-    return fittingDistance(bounds, this.direction(name), high * ((width * down) / (height * across) || 1), high);
+    const home = name === 'home' ? this.home : null;
+    if (home?.eye) return { eye: home.eye, target: home.look_at ?? middleOf(points) };
+    const [wide, high] = [width / across || 1, height / down || 1];
+    const slope = Math.tan(MathUtils.degToRad(camera.fov / 2)) / this.shared.margin;
+    const share = Math.max(LEAST_SHARE, 1 - (2 * BUTTONS) / high);
+    return holding(points, this.direction(name), (slope * wide) / high, slope * share, home?.look_at ?? null);
   }
 
-  /** Looks at a box from a preset's direction. */
-  look(name, bounds, divided) {
+  /** How far away a preset stands. */
+  distance(name, points, divided) {
+    const { eye, target } = this.place(name, points, divided);
+    return Math.hypot(...eye.map((value, k) => value - target[k]));
+  }
+
+  /** Looks at points from a preset's direction, so that all are seen. */
+  look(name, points, divided) {
     const { camera } = this.stage;
-    const direction = this.direction(name);
-    const distance = this.distance(name, bounds, divided);
-    bounds.getCenter(this.target);
-    camera.position.copy(this.target).addScaledVector(direction, distance);
+    const { eye, target } = this.place(name, points, divided);
+    this.target.set(...target);
+    camera.position.set(...eye);
+    const distance = camera.position.distanceTo(this.target);
     camera.near = distance / 100;
     camera.far = distance * 40;
     this.controls.update();
@@ -88,15 +80,14 @@ export class Camera {
     this.controls.update();
   }
 
-  /** Calls picked(raycaster, view) for each click; `divided` says in how many parts the canvas is divided across and down. */
+  /**
+   * Calls picked(raycaster, view, twice) for each click, `twice` for a double one; `divided` says in how many parts the canvas
+   * is divided across and down.
+   */
   onClick(divided, picked) {
     const { canvas, camera } = this.stage;
     let pressed = null;
-    canvas.addEventListener('pointerdown', (event) => {
-      pressed = [event.clientX, event.clientY];
-    });
-    canvas.addEventListener('pointerup', (event) => {
-      if (!pressed || Math.hypot(event.clientX - pressed[0], event.clientY - pressed[1]) > CLICK_PIXELS) return;
+    const pick = (event, twice) => {
       const frame = canvas.getBoundingClientRect();
       const [columns, rows] = divided();
       const across = ((event.clientX - frame.left) / frame.width) * columns;
@@ -105,7 +96,22 @@ export class Camera {
       const row = Math.min(rows - 1, Math.floor(down));
       const raycaster = new Raycaster();
       raycaster.setFromCamera(new Vector2(2 * (across - column) - 1, 1 - 2 * (down - row)), camera);
-      picked(raycaster, row * columns + column);
+      picked(raycaster, row * columns + column, twice);
+    };
+    canvas.addEventListener('pointerdown', (event) => {
+      pressed = [event.clientX, event.clientY];
     });
+    canvas.addEventListener('pointerup', (event) => {
+      if (!pressed || Math.hypot(event.clientX - pressed[0], event.clientY - pressed[1]) > CLICK_PIXELS) return;
+      pick(event, false);
+    });
+    canvas.addEventListener('dblclick', (event) => pick(event, true));
   }
+}
+
+/** Where a place of the world is on the canvas, in CSS pixels from its upper left corner; null where it is not seen. */
+export function spotOf(place, camera, [left, top, width, height]) {
+  const seen = new Vector3(...place).project(camera);
+  if (!(seen.z > -1 && seen.z < 1)) return null;
+  return [left + ((seen.x + 1) / 2) * width, top + ((1 - seen.y) / 2) * height];
 }

@@ -1,7 +1,7 @@
 // Colours of bodies, islands, overlays and plots. They are meant for both themes; greys come from the theme.
 
-/** Bodies that move, by index. Muted, so that overlays stand out. */
-export const BODY_COLOURS = ['#6f93b8', '#cf9a69', '#83a978', '#bf8296', '#938abd', '#b3a463'];
+/** Bodies that move, by index, where the page does not say their colours: those of pictures (polhode, appearance.rs). */
+export const BODY_COLOURS = ['#5692cc', '#e69f3c', '#3ca57d', '#d6693c', '#cc82ac', '#e2d050', '#8080c8'];
 
 /** Islands, by the lowest index of their bodies. */
 export const ISLAND_COLOURS = [
@@ -41,5 +41,21 @@ export const MOMENTUM_COLOUR = '#8b46c9';
 export const HALO_COLOUR = '#d8334a';
 export const SELECTED_COLOUR = '#ff5a1f';
 
-/** Kinds of events, by their order in the list of kinds. */
-export const EVENT_COLOURS = ['#d8334a', '#3b7dd8', '#e07f00', '#3f9d6c', '#8a6bd1', '#b8962e', '#2aa5b5', '#c45fb5'];
+/** Events by their kind: what strikes red, what begins blue, what ends grey, what slides orange, what rests green. */
+const EVENT_COLOURS = {
+  impact: '#d8334a',
+  contact_begin: '#3b7dd8',
+  contact_end: '#7c8b99',
+  rest: '#3f9d6c',
+  wake: '#b8962e',
+  detach: '#2aa5b5',
+  stick: '#5f7a2f',
+  slide: '#e07f00',
+  jam: '#8a6bd1',
+  break: '#c45fb5',
+};
+/** Any other kind. */
+const OTHER_EVENT = '#9a6240';
+
+/** The colour of a kind of event, the same in every page. */
+export const eventColour = (kind) => EVENT_COLOURS[kind] ?? OTHER_EVENT;

@@ -68,8 +68,9 @@ export function overlayButtons(views, toggle) {
 
 /** Buttons of the camera presets. */
 export function cameraButtons(look) {
-  const words = { fit: 'Fit', front: 'Front', side: 'Side', top: 'Top', iso: 'Iso' };
-  byId('cameras').append(...CAMERAS.map((name) => button(words[name], `Camera: ${words[name]}`, () => look(name))));
+  const words = { fit: 'Frame', home: 'Home', front: 'Front', side: 'Side', top: 'Top', iso: 'Iso' };
+  const keys = { fit: 'Frame what is there now (F)', home: 'As at first (H)' };
+  byId('cameras').append(...CAMERAS.map((name) => button(words[name], keys[name] ?? `Camera: ${words[name]}`, () => look(name))));
 }
 
 /** The list of bodies to follow; it is filled when it is first opened, since there may be thousands. */
@@ -89,13 +90,19 @@ export function followList(run, follow) {
   };
 }
 
-/** The key of colours of the overlays that are on. */
+/** The key of colours of the overlays that are on, each colour once. */
 export function showLegend(lines) {
-  const words = lines.map(({ colour, text }) => `${colour}|${text}`);
+  const of_colour = new Map();
+  for (const { colour, text } of lines) {
+    const texts = of_colour.get(colour) ?? [];
+    if (!texts.includes(text)) of_colour.set(colour, [...texts, text]);
+  }
+  const words = [...of_colour].map(([colour, texts]) => `${colour}|${texts.join(' · ')}`);
   const legend = byId('legend');
   if (legend.dataset.words === words.join('\n')) return;
   legend.dataset.words = words.join('\n');
-  const items = [...new Set(words)].map((line) => {
+  legend.hidden = words.length === 0;
+  const items = words.map((line) => {
     const item = document.createElement('li');
     const [ink, ...text] = line.split('|');
     item.style.setProperty('--ink', ink);

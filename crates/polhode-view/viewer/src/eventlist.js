@@ -1,6 +1,6 @@
 // The list of events: filtered by kind; only the rows in sight exist, so that ten thousand events stay light.
 
-import { EVENT_COLOURS } from './colours.js';
+import { eventColour } from './colours.js';
 import { seconds } from './numbers.js';
 
 /** Height of a row in CSS pixels; viewer.css sets the same. */
@@ -30,7 +30,7 @@ export class EventList {
   }
 
   inkOf(kind) {
-    return EVENT_COLOURS[this.kinds.indexOf(kind) % EVENT_COLOURS.length];
+    return eventColour(kind);
   }
 
   buildChips(changed) {

@@ -11,8 +11,9 @@ export const HELP = [
   ['[ ]', 'to the event before, to the next event'],
   ['L', 'play in a loop'],
   ['I', 'interpolate between frames'],
-  ['F', 'fit all into the picture'],
-  ['Esc', 'follow no body'],
+  ['F', 'frame what is there now'],
+  ['H', 'look as at first'],
+  ['Esc', 'follow no body, show no numbers'],
   ...OVERLAYS.map(({ label }, index) => [String(index + 1), label]),
   ['?', 'this help'],
 ];
@@ -20,7 +21,7 @@ export const HELP = [
 /** Frames of a step with Shift. */
 const LONG_STEP = 10;
 
-/** `act` holds what the keys do: { playback, seek, changed, event, fit, unfollow, overlay, help }. */
+/** `act` holds what the keys do: { playback, seek, changed, event, fit, home, unfollow, overlay, help }. */
 export function listen(act) {
   const { playback } = act;
   const actions = {
@@ -36,6 +37,7 @@ export function listen(act) {
     l: () => (playback.loop = !playback.loop),
     i: () => (playback.interpolate = !playback.interpolate),
     f: () => act.fit(),
+    h: () => act.home(),
     Escape: () => act.unfollow(),
     '?': () => act.help(),
   };

@@ -4,6 +4,7 @@ import { byId, reportLink } from './controls.js';
 import { wordsOf } from './errors.js';
 import { notice, showFailure, tellCrowded, tellOutcome } from './notices.js';
 import { readShow, reports, reportText } from './show.js';
+import { showMechanism } from './panel.js';
 import { Viewer } from './viewer.js';
 
 /** The page's interface for tests and for the browser's console. */
@@ -39,6 +40,7 @@ function start() {
   byId('description').hidden = show.description === '';
   show.runs.forEach(tellOutcome);
   reports(report).forEach(tellCrowded);
+  showMechanism();
   if (show.runs.every((run) => run.bodies.length === 0)) notices.push('The scene has no bodies.');
   for (const words of notices) notice(words, false);
   const viewer = new Viewer(show);

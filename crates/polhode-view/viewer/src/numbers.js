@@ -8,6 +8,26 @@ export function roundedUp(value) {
   return step * power;
 }
 
+/** The largest of 1, 2, 5 times a power of ten that is not above a positive value. */
+export function roundedDown(value) {
+  if (!(value > 0) || !Number.isFinite(value)) return 1;
+  const power = 10 ** Math.floor(Math.log10(value));
+  return ([5, 2, 1].find((factor) => factor * power <= value * (1 + 1e-9)) ?? 1) * power;
+}
+
+/** A length in m in the largest unit of which it has one. */
+export function lengthWords(length) {
+  const units = [
+    ['km', 1e3],
+    ['m', 1],
+    ['cm', 1e-2],
+    ['mm', 1e-3],
+    ['µm', 1e-6],
+  ];
+  const [name, unit] = units.find(([, metres]) => length >= metres * (1 - 1e-9)) ?? units.at(-1);
+  return `${short(length / unit, 3)} ${name}`;
+}
+
 /** A number in at most `digits` digits, with a power of ten where it is far from one. */
 export function short(value, digits = 4) {
   if (!Number.isFinite(value)) return '–';

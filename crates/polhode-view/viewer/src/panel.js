@@ -2,6 +2,15 @@
 
 import { Plot } from './plot.js';
 
+/** The figure of what would move first, where the page has one. */
+export function showMechanism() {
+  const figure = document.getElementById('polhode-mechanism');
+  const holder = document.getElementById('mechanism');
+  if (figure === null || holder === null) return;
+  holder.append(figure.content);
+  holder.hidden = false;
+}
+
 /** Groups of series in the order in which they are shown; others follow. */
 const GROUP_ORDER = ['energy', 'ledger', 'penetration', 'residual', 'steps'];
 

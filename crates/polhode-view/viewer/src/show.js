@@ -1,7 +1,9 @@
 // What the page shows: the data block `polhode-show`, checked and turned into runs, meshes, series and events.
 
 import { numbersOfBase64 } from './bytes.js';
+import { BODY_COLOURS } from './colours.js';
 import { PageError } from './errors.js';
+import { LOOK } from './framing.js';
 
 /** The version of the data block that this viewer reads. */
 const VERSION = 1;
@@ -40,6 +42,7 @@ export function readShow(notices) {
     title: show.title || 'polhode',
     description: show.description || '',
     gravity: show.gravity ?? null,
+    look: { ...LOOK, ...show.look },
     plays_at_once: Boolean(show.plays_at_once),
     meshes,
     runs,
@@ -50,7 +53,8 @@ export function readShow(notices) {
 export function readScene(show) {
   const meshes = show.meshes.map(readMesh);
   const run = readRun(show.runs[0], 0, meshes.length, []);
-  return { title: show.title, description: show.description, gravity: show.gravity, meshes, runs: [run] };
+  const { title, description, gravity } = show;
+  return { title, description, gravity, look: { ...LOOK, ...show.look }, meshes, runs: [run] };
 }
 
 /** The text of the JSON report, or null where the page has none. */
@@ -106,7 +110,10 @@ function readRun(run, index, mesh_count, notices) {
     outcome: run.outcome ?? 'completed',
     duration: Number.isFinite(run.duration_s) ? run.duration_s : (times.at(-1) ?? 0),
     bodies,
-    joints: (run.joints ?? []).map((joint, at) => readJoint(joint, at, bodies.length, what)),
+    joints: Array.isArray(run.joints) ? run.joints.length : (run.joints ?? 0),
+    fixtures: (run.fixtures ?? []).map((fixture) => readFixture(fixture, bodies.length, mesh_count, what)),
+    links: (run.links ?? []).map((link, at) => readLink(link, at, bodies.length, what)),
+    frame: run.frame ?? null,
     initial: Float64Array.from(run.initial.flat()),
     times,
     moving,
@@ -126,6 +133,10 @@ function readBody(body, index, mesh_count, what) {
   return {
     name: body.name || `body ${index}`,
     moves: Boolean(body.moves),
+    colour: body.colour ?? (body.moves ? BODY_COLOURS[index % BODY_COLOURS.length] : null),
+    label: body.label ?? '',
+    opacity: body.opacity ?? 1,
+    mass_kg: body.mass_kg ?? null,
     center_of_mass: body.center_of_mass ?? [0, 0, 0],
     principal_inertia: body.principal_inertia_kg_m2 ?? null,
     principal_axes: body.principal_axes ?? [1, 0, 0, 0],
@@ -135,13 +146,22 @@ function readBody(body, index, mesh_count, what) {
   };
 }
 
-/** A joint: whether it is drawn as a line, and its ends, of a body (or null, of the world) and a point in its frame. */
-function readJoint(joint, index, body_count, what) {
-  const ends = (joint.ends ?? []).map(({ body, point }) => ({ body: body ?? null, point }));
-  if (ends.length !== 2 || ends.some(({ body }) => body !== null && !(body >= 0 && body < body_count))) {
-    throw new PageError(`${what}: joint ${index} does not have two ends of bodies that it knows.`);
+/** What is drawn of a joint as a part of a body, or of the world: its body and the part. */
+function readFixture({ body, part }, body_count, mesh_count, what) {
+  const known = body === null || (body >= 0 && body < body_count);
+  if (!known || !(part?.mesh >= 0 && part.mesh < mesh_count)) {
+    throw new PageError(`${what}: something of a joint is of a body or a mesh that is missing.`);
   }
-  return { link: Boolean(joint.link), ends };
+  return { body, part };
+}
+
+/** A rod, a rope or a spring: its kind and its ends, of a body (or null, of the world) and a point in its frame. */
+function readLink(link, index, body_count, what) {
+  const ends = (link.ends ?? []).map(({ body, point }) => ({ body: body ?? null, point }));
+  if (ends.length !== 2 || ends.some(({ body }) => body !== null && !(body >= 0 && body < body_count))) {
+    throw new PageError(`${what}: link ${index} does not have two ends of bodies that it knows.`);
+  }
+  return { kind: link.kind, ends, radius_m: link.radius_m, length_m: link.length_m };
 }
 
 /** Chunks must follow one another and cover all frames. */

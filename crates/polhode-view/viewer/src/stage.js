@@ -4,6 +4,7 @@ import {
   Color,
   DirectionalLight,
   HemisphereLight,
+  LinearSRGBColorSpace,
   MathUtils,
   PCFShadowMap,
   PerspectiveCamera,
@@ -12,15 +13,11 @@ import {
   WebGLRenderer,
 } from 'three';
 import { PageError } from './errors.js';
+import { LOOK } from './framing.js';
 import { colour } from './theme.js';
 
-/** Vertical angle of view in degrees. */
-const FIELD_OF_VIEW = 35;
 /** Pixels of the shadow map along its edge. */
 const SHADOW_PIXELS = 1024;
-/** Where the light comes from, seen from the point that the camera looks at; z is up. */
-const LIGHT_FROM = new Vector3(-0.45, -0.6, 1.25).normalize();
-
 /** Names of renderers that draw on the processor. */
 const SOFTWARE = /swiftshader|llvmpipe|softpipe|software|basic render/i;
 
@@ -39,9 +36,10 @@ export function parts(arrangement, views) {
 }
 
 export class Stage {
-  /** `look` is { shadows, antialias }. */
-  constructor(canvas, { shadows, antialias }) {
+  /** `look` is { shadows, antialias }; `shared` what page and picture have in common. */
+  constructor(canvas, { shadows, antialias }, shared = LOOK) {
     this.canvas = canvas;
+    this.shared = shared;
     try {
       this.renderer = new WebGLRenderer({ canvas, antialias });
     } catch {
@@ -51,17 +49,19 @@ export class Stage {
     this.renderer.shadowMap.enabled = shadows;
     this.renderer.shadowMap.type = PCFShadowMap;
     this.scene = new Scene();
-    this.camera = new PerspectiveCamera(FIELD_OF_VIEW, 1, 0.1, 1000);
+    this.camera = new PerspectiveCamera(MathUtils.radToDeg(shared.field_of_view_rad), 1, 0.1, 1000);
     this.camera.up.set(0, 0, 1);
-    this.sky = new HemisphereLight(0xffffff, 0xaaa59d, 1.75);
+    // A surface of albedo a sends a (ambient (1 + sky n.z) + lamp n.l), as in pictures; three.js divides by pi.
+    const { towards, lamp, ambient, sky } = shared.light;
+    this.towards = new Vector3(...towards).normalize();
+    const grey = (value) => new Color().setRGB(value, value, value, LinearSRGBColorSpace);
+    this.sky = new HemisphereLight(grey(1), grey((1 - sky) / (1 + sky)), Math.PI * ambient * (1 + sky));
     this.sky.position.set(0, 0, 1);
-    this.sun = new DirectionalLight(0xffffff, 1.5);
-    // A weak light from the camera, so that no face that is seen is black.
-    this.lamp = new DirectionalLight(0xffffff, 0.75);
+    this.sun = new DirectionalLight(0xffffff, Math.PI * lamp);
     this.sun.castShadow = shadows;
     this.sun.shadow.mapSize.set(SHADOW_PIXELS, SHADOW_PIXELS);
     this.sun.shadow.radius = 3;
-    this.scene.add(this.sky, this.sun, this.sun.target, this.lamp, this.lamp.target);
+    this.scene.add(this.sky, this.sun, this.sun.target);
     this.scene.background = new Color();
     this.applyTheme();
   }
@@ -72,7 +72,7 @@ export class Stage {
 
   /** Where the camera is, and how many pixels a thing of one metre has at a distance of one metre. */
   eye() {
-    const pixels = this.canvas.clientHeight / 2 / Math.tan(MathUtils.degToRad(FIELD_OF_VIEW / 2));
+    const pixels = this.canvas.clientHeight / 2 / Math.tan(this.shared.field_of_view_rad / 2);
     return { place: this.camera.position, pixels };
   }
 
@@ -91,10 +91,8 @@ export class Stage {
     const distance = this.camera.position.distanceTo(target);
     this.camera.near = distance / 100;
     this.camera.far = distance * 40;
-    this.lamp.position.copy(this.camera.position);
-    this.lamp.target.position.copy(target);
     this.sun.target.position.copy(target);
-    this.sun.position.copy(target).addScaledVector(LIGHT_FROM, 2 * distance);
+    this.sun.position.copy(target).addScaledVector(this.towards, 2 * distance);
     const { camera, map } = this.sun.shadow;
     const reach = 0.75 * distance;
     Object.assign(camera, { left: -reach, right: reach, bottom: -reach, top: reach, near: 0, far: 4 * distance });

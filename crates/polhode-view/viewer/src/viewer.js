@@ -1,7 +1,7 @@
 // The viewer: one time, one camera, one or two views of runs, drawn again whenever something changed.
 
-import { Box3 } from 'three';
 import { meshGeometry } from './bodies.js';
+import { BodyCard, BodyLabels } from './bodycard.js';
 import { Camera } from './camera.js';
 import { byId, cameraButtons, followList, helpDialog, overlayButtons, playControls, showLegend } from './controls.js';
 import { EventList } from './eventlist.js';
@@ -9,6 +9,7 @@ import { listen } from './keyboard.js';
 import { notice } from './notices.js';
 import { buildPlots } from './panel.js';
 import { Playback } from './playback.js';
+import { Scale } from './scale.js';
 import { drawnBySoftware, parts, Stage } from './stage.js';
 import { themeSwitch } from './theme.js';
 import { Timeline } from './timeline.js';
@@ -41,7 +42,7 @@ export class Viewer {
     const many = Math.max(...show.runs.map((run) => run.bodies.length)) > MANY_BODIES;
     const slow = trianglesOf(show) > SOFTWARE_TRIANGLES && drawnBySoftware();
     const shadows = !many && !slow;
-    this.stage = new Stage(byId('stage'), { shadows, antialias: !slow });
+    this.stage = new Stage(byId('stage'), { shadows, antialias: !slow }, show.look);
     this.playback = new Playback(show.runs);
     this.dirty = true;
     /** Whether the last picture lacks frames that are being unpacked. */
@@ -55,7 +56,7 @@ export class Viewer {
       broken: (words) => notice(words, true),
     };
     const geometries = show.meshes.map(meshGeometry);
-    const look = { shadows, edges: !many };
+    const look = { shadows, edges: !many, fixture: show.look.fixture, gravity: show.gravity };
     const scales = new Map();
     this.views = show.runs.map((run) => new View(run, geometries, look, tell, scales, () => this.stage.eye()));
     for (const view of this.views) this.stage.scene.add(view.group);
@@ -63,7 +64,11 @@ export class Viewer {
     for (const view of this.views) view.setOverlay('edges', !many);
     /** How views that share the picture stand: what brings the bodies closer is chosen when they are fitted. */
     this.arrangement = 'row';
-    this.camera = new Camera(this.stage, tell.requestDraw);
+    this.camera = new Camera(this.stage, tell.requestDraw, show.runs[0].frame);
+    const ground = this.views[0].ground;
+    this.scale = new Scale(byId('scale'), show.look.axes, ground.holders.length > 0 ? ground.cell : null);
+    this.card = new BodyCard(byId('card'));
+    this.body_labels = this.views.map((view) => new BodyLabels(byId('body-labels'), view.run));
     this.seek = (t) => {
       this.playback.seek(t);
       this.dirty = true;
@@ -92,7 +97,11 @@ export class Viewer {
         if (t !== null) this.seek(t);
       },
       fit: () => this.look('fit'),
-      unfollow: () => this.follow(null),
+      home: () => this.look('home'),
+      unfollow: () => {
+        this.follow(null);
+        this.card.show(null);
+      },
       overlay: (name) => this.toggleOverlay(name),
       help: helpDialog(),
     });
@@ -101,7 +110,7 @@ export class Viewer {
     byId('layout').addEventListener('click', () => this.setLayout(this.layout === 'side' ? 'over' : 'side'));
     this.camera.onClick(
       () => this.divided(),
-      (raycaster, picture) => this.pick(raycaster, this.pictures()[picture]),
+      (raycaster, picture, twice) => this.pick(raycaster, this.pictures()[picture], twice),
     );
     this.showOverlays(this.on);
   }
@@ -166,22 +175,28 @@ export class Viewer {
     this.dirty = true;
   }
 
-  pick(raycaster, views) {
+  /** A click shows the numbers of a body, a double one follows it; beside all bodies it shows none. */
+  pick(raycaster, views, twice) {
     const hits = views.map((view) => view.bodies.pick(raycaster)).filter(Boolean);
     const nearest = hits.reduce((best, hit) => (best && best.distance <= hit.distance ? best : hit), null);
+    const body = nearest?.body ?? null;
     const first = this.views[0].run.bodies;
-    if (nearest && first[nearest.body]?.moves) this.follow(nearest.body);
+    if (twice) {
+      if (first[body]?.moves) this.follow(body);
+    } else {
+      this.card.show(body !== null && body < first.length ? body : null);
+    }
+    this.dirty = true;
   }
 
-  /** Looks from a preset at all that the boxes hold: by default at the bodies as they stand now. */
-  look(name, boxes = this.views.map((view) => view.bounds())) {
+  /** Looks from a preset at points: by default at the bodies as they stand now, of the first view at what it holds. */
+  look(name, points = this.views.flatMap((view) => (name === 'home' ? view.framed() : view.framedNow()))) {
     this.stage.resize();
-    const bounds = boxes.reduce((all, box) => all.union(box), new Box3());
     this.camera.tracked = null;
     const views = this.pictures().length;
-    const distance = (arrangement) => this.camera.distance(name, bounds, parts(arrangement, views));
+    const distance = (arrangement) => this.camera.distance(name, points, parts(arrangement, views));
     this.arrange(distance('column') < distance('row') ? 'column' : 'row');
-    this.camera.look(name, bounds, this.divided());
+    this.camera.look(name, points, this.divided());
   }
 
   /** A promise that is kept when the picture of the present time has been drawn. */
@@ -193,11 +208,7 @@ export class Viewer {
   async start() {
     await Promise.all(this.views.map(({ frames, run }) => (run.chunks.length > 0 ? frames.load(0) : null)));
     for (const view of this.views) view.moveTo(this.playback.time, true);
-    const motions = await Promise.all(this.views.map((view) => view.motionBounds()));
-    this.look(
-      'iso',
-      motions.map((motion, index) => motion ?? this.views[index].bounds()),
-    );
+    this.look('home');
     let before = performance.now();
     const tick = (now) => {
       const clock_s = Math.max(0, Math.min(LONGEST_TICK, (now - before) / 1000));
@@ -244,10 +255,26 @@ export class Viewer {
     for (const plot of this.plots) plot.draw();
     this.events.update(playback.time, playback.playing);
     showLegend(views.flatMap((view) => view.legend()));
+    this.drawWords();
     this.incomplete = !states.every(Boolean);
     // A scale of arrows may have grown; then this is not yet the final picture either.
     if (this.dirty || this.incomplete) return;
     for (const kept of this.waiting.splice(0)) kept();
+  }
+
+  /** Axes, scale, the numbers of a body and the words beside bodies. */
+  drawWords() {
+    const { stage, views } = this;
+    const [across, down] = this.divided();
+    const [width, height] = [stage.width / across, stage.height / down];
+    const distance = stage.camera.position.distanceTo(this.camera.target);
+    this.scale.draw(stage.camera, stage.eye().pixels / down / distance);
+    this.card.draw(views[0]);
+    views.forEach((view, index) => {
+      const place = this.layout === 'side' ? index : 0;
+      const part = [across > 1 ? place * width : 0, down > 1 ? place * height : 0, width, height];
+      this.body_labels[index].draw(view.snapshot, stage.camera, part);
+    });
   }
 
   stats() {

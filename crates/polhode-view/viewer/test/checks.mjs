@@ -249,17 +249,25 @@ export async function checkPage(tally, browser, path, { committed, all_overlays,
   await page.close();
 }
 
-/** A click on the body in the middle follows it, Escape follows none. */
+/** A click on the body in the middle shows its numbers, a double click follows it, Escape ends both. */
 export async function checkFollowing(tally, browser, path) {
   const name = basename(path, '.html');
   const { page } = await open(browser, path);
   const box = await page.locator('#stage').boundingBox();
   await seek(page, 0);
   await page.evaluate(() => window.polhode.camera('fit'));
-  await page.mouse.click(box.x + box.width / 2, box.y + box.height / 2);
-  tally.check('following', name, 'a click follows a body', (await page.locator('#follow').inputValue()) === '1');
+  const middle = [box.x + box.width / 2, box.y + box.height / 2];
+  const followed = () => page.locator('#follow').inputValue();
+  await page.mouse.click(...middle);
+  await page.evaluate(() => window.polhode.seek(window.polhode.time()));
+  const card = await page.locator('#card').innerText();
+  tally.check('following', name, 'a click shows the numbers of a body', /mass/.test(card), card.split('\n')[0]);
+  tally.check('following', name, 'a click follows none', (await followed()) === '');
+  await page.mouse.dblclick(...middle);
+  tally.check('following', name, 'a double click follows a body', (await followed()) === '1');
   await page.keyboard.press('Escape');
-  tally.check('following', name, 'Escape follows none', (await page.locator('#follow').inputValue()) === '');
+  tally.check('following', name, 'Escape follows none', (await followed()) === '');
+  tally.check('following', name, 'Escape hides the numbers', !(await page.locator('#card').isVisible()));
   await page.close();
 }
 

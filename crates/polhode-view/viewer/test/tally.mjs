@@ -10,7 +10,7 @@ export const KINDS = {
   overlays: 'overlays switch',
   keyboard: 'the keyboard works',
   cameras: 'cameras change the picture',
-  following: 'a click follows a body',
+  following: 'a click shows numbers, a double click follows',
   layouts: 'two runs side by side or overlaid',
   look: 'light, dark and phone width',
   report: 'the report is saved',

@@ -25,7 +25,7 @@ use crate::collision::{contact_kinematics, contact_set, friction};
 use crate::constraint::ContactEvent;
 use crate::constraint::locator::{Side, close_in};
 use crate::error::SimulationError;
-use crate::identity::contact_id::ContactId;
+use crate::identity::contact_id::{ContactId, Feature};
 use crate::model::{TOUCH_RELATIVE, prescribed, reported, tolerances};
 use crate::solve::projection::rate_exceeds_drift;
 use crate::tier::core::Core;
@@ -409,6 +409,9 @@ fn breaking_contacts(
     touches: &[Touch],
     tolerated: &BTreeSet<ContactId>,
 ) -> Result<Vec<ContactId>, SimulationError> {
+    if touches.iter().all(cannot_break) {
+        return Ok(Vec::new());
+    }
     let forces = forces_of(core, step, t, states, touches)?;
     if forces.jams {
         return Ok(sliding(touches).filter(|id| !tolerated.contains(id)).collect());
@@ -418,6 +421,13 @@ fn breaking_contacts(
     let slips = forces.slipping(touches).map(|(id, _)| id);
     let turns = forces.turning(touches).map(|((id, _), _)| id);
     Ok(opens.chain(slips).chain(turns).filter(|id| !tolerated.contains(id)).collect())
+}
+
+/// Whether no force can end the mode of a contact: a joint whose friction slides is pressed whatever happens, and goes
+/// on until its slip vanishes.
+fn cannot_break(touch: &Touch) -> bool {
+    let slides = matches!(touch.modes.friction, Some(FrictionMode::Sliding(_)));
+    slides && matches!(touch.id.feature, Feature::JointFriction(_))
 }
 
 /// The contacts that slide.

@@ -8,8 +8,9 @@
 //!
 //! A bearing adds `k R` to the effort, where `R` is the force of the joint on the body across the axis and `k` the
 //! coefficient times the radius at which it rubs (times 1 of a displacement). That force follows from the reactions,
-//! which are found again with it until it stays ([`Pressed::renewed`]); what acts at a lever is part of the moment, so
-//! that `R` counts the force there too.
+//! which are found again with it until it stays ([`Pressed::renewed`]); while nothing begins to slide or to stick they
+//! are linear in what presses the shoes, and a first look finds all of it ([`LinearLoads`]). What acts at a lever is
+//! part of the moment, so that `R` counts the force there too.
 //!
 //! Its rows: the one along the "normal" acts on no body. It has a compliance `c`, and its constant term is `-c N`, so
 //! that its reaction is `N`. The first tangent is the coordinate; there is no second one, so that its row acts on
@@ -59,9 +60,6 @@ struct Bearing {
 /// Rounds in which the load of bearings is found (10 to 100): each takes `k` over the levers of the joint of the error.
 pub(crate) const MOST_ROUNDS_OF_BEARINGS: usize = 60;
 
-/// Changes of the loads of bearings that fall by less than this from round to round fall slowly (no unit).
-const SLOW_FALL: f64 = 0.5;
-
 /// Loads of bearings that differ by less than this part of them count as found (no unit): some rounding units.
 const SAME_LOAD: f64 = 4.0 * f64::EPSILON;
 
@@ -71,15 +69,52 @@ impl Pressed {
         self.bearing.is_some()
     }
 
-    /// The same where joints bear these forces (N; impulses over `h`, s, that are N s) on their first bodies, those at
-    /// levers among them. None where nothing changes.
-    pub(crate) fn renewed(&self, force_of: impl Fn(usize) -> DVec3, h: f64) -> Option<Self> {
+    /// The joint.
+    pub(crate) fn joint(&self) -> usize {
+        self.of.joint
+    }
+
+    /// The same where its joint bears this force (N) on its first body, that at levers with it. None where nothing
+    /// changes.
+    pub(crate) fn renewed(&self, whole: DVec3) -> Option<Self> {
         let Bearing { unloaded, share, axis } = self.bearing?;
-        let whole = force_of(self.of.joint) / h;
         let load = (whole - axis * axis.dot(whole)).length();
         let force = unloaded + share * load;
         ((force - self.force).abs() > SAME_LOAD * force).then_some(Self { force, ..*self })
     }
+}
+
+/// The forces that joints with friction bear, as they change with what presses the shoes: `R_k + D_kj (N_j - N_j0)`.
+#[derive(Debug)]
+pub(crate) struct LinearLoads {
+    /// `R_k` under the forces `N_j0`, N.
+    pub(crate) loads: Vec<DVec3>,
+    /// `D_kj`, of each shoe `j` those of all joints `k` (no unit).
+    pub(crate) changes: Vec<Vec<DVec3>>,
+}
+
+impl LinearLoads {
+    /// What presses the shoes where it follows from the loads that it gives, from these forces on.
+    pub(crate) fn pressed(&self, from: &[(usize, Pressed)]) -> Vec<(usize, Pressed)> {
+        let (mut pressed, mut round) = (from.to_vec(), LastRound::default());
+        for _ in 0..MOST_ROUNDS_OF_BEARINGS {
+            let mut loads = self.loads.clone();
+            for ((changes, (_, own)), (_, first)) in self.changes.iter().zip(&pressed).zip(from) {
+                let more = own.force - first.force;
+                loads.iter_mut().zip(changes).for_each(|(load, change)| *load += *change * more);
+            }
+            let Some(renewed) = renewed(&pressed, &loads) else { break };
+            pressed = round.next(&pressed, renewed);
+        }
+        pressed
+    }
+}
+
+/// What presses the shoes of joints that bear these forces (N); none where nothing changes.
+pub(crate) fn renewed(pressed: &[(usize, Pressed)], loads: &[DVec3]) -> Option<Vec<(usize, Pressed)>> {
+    let of_load = |((row, own), load): (&(usize, Pressed), &DVec3)| (*row, own.renewed(*load).unwrap_or(*own));
+    let renewed: Vec<(usize, Pressed)> = pressed.iter().zip(loads).map(of_load).collect();
+    (renewed != pressed).then_some(renewed)
 }
 
 /// The last round of the search for the loads of bearings.
@@ -99,8 +134,8 @@ impl LastRound {
     }
 
     /// What presses the shoes in the next round, where these forces follow from the loads under the present ones.
-    /// Loads of loops that lie nearly flat change by nearly as much from round to round, or by more with the other
-    /// sign: the secant through two rounds ends that (Anderson 1965, of depth one).
+    /// They change by some hundredths of the change before, in loops that lie nearly flat by nearly as much or by more
+    /// with the other sign: the secant through two rounds finds where they stay (Anderson 1965, of depth one).
     pub(crate) fn next(
         &mut self,
         pressed: &[(usize, Pressed)],
@@ -110,7 +145,7 @@ impl LastRound {
         let changes: Vec<f64> = forces.iter().zip(pressed).map(|(force, (_, own))| force - own.force).collect();
         let last = std::mem::replace(self, Self { renewed: forces.clone(), changes: changes.clone() });
         let square = |of: &[f64]| of.iter().map(|own| own * own).sum::<f64>();
-        if last.changes.len() == changes.len() && square(&changes) > SLOW_FALL * SLOW_FALL * square(&last.changes) {
+        if last.changes.len() == changes.len() {
             let falls: Vec<f64> = changes.iter().zip(&last.changes).map(|(own, last)| own - last).collect();
             let along: f64 = changes.iter().zip(&falls).map(|(own, fall)| own * fall).sum();
             let share = along / square(&falls);

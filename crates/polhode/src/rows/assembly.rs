@@ -107,8 +107,8 @@ pub(crate) struct Assembly {
     rotations: Vec<RotationRow>,
     rotation_rows: Vec<usize>,
     /// The rows of contacts that a given force presses.
-    pressed: Vec<(usize, Pressed)>,
-    last_round: LastRound,
+    pub(super) pressed: Vec<(usize, Pressed)>,
+    pub(super) last_round: LastRound,
     /// The rows of stops: the joint, and the normal.
     stops: Vec<(usize, usize, DVec3)>,
     /// Which reactions of joints do the same, where that was asked for, or where they press bearings and close loops.
@@ -409,14 +409,6 @@ impl Assembly {
         Ok(b)
     }
 
-    /// Sets the constant terms of the rows of contacts that a given force presses: of forces, or of impulses over `h`
-    /// (s) in a step.
-    pub(crate) fn press(&self, constants: &mut [f64], h: f64) {
-        for (row, Pressed { force, compliance, .. }) in &self.pressed {
-            constants[*row] = -compliance * force * h;
-        }
-    }
-
     /// Finds which reactions of joints do the same, where these close loops.
     pub(crate) fn find_supports(&mut self) {
         self.supports = Some(Supports::of(&self.problem, self.rigid_rows()));
@@ -463,7 +455,7 @@ impl Assembly {
     }
 
     /// The force of stops and friction of a joint on its first body, from those of all rows.
-    fn force_at_levers(&self, of: &Bilateral, forces: &[f64]) -> DVec3 {
+    pub(super) fn force_at_levers(&self, of: &Bilateral, forces: &[f64]) -> DVec3 {
         let ConstraintId::Joint { joint, .. } = of.id else { return DVec3::ZERO };
         let is_first = |id: ContactId| {
             of.members.iter().chain(&of.drivers).any(|member| (member.body == id.a) == (member.sign > 0.0))
@@ -477,39 +469,6 @@ impl Assembly {
             Some(on_first(id, *normal * *forces.get(*row)?))
         });
         tangents.map(|(row, force)| on_first(row.id, row.along.normal * force)).chain(stops).sum()
-    }
-
-    /// Presses bearings by the loads that follow from these forces (N, or impulses over `h`, s) of all rows. Returns
-    /// whether any changes.
-    ///
-    /// # Errors
-    /// When there is not one force for each row.
-    pub(crate) fn press_by_loads(&mut self, forces: &[f64], h: f64) -> Result<bool, ResponseError> {
-        if self.pressed.is_empty() {
-            return Ok(false);
-        }
-        let forces = &*self.least(forces)?;
-        let of_joint = |joint: usize| {
-            let is_own = |id: ConstraintId| matches!(id, ConstraintId::Joint { joint: own, .. } if own == joint);
-            let reactions = self.reactions(forces).filter(|(of, _)| is_own(of.id) && of.softness.is_none());
-            reactions.map(|(of, reaction)| reaction.force + self.force_at_levers(of, forces)).sum()
-        };
-        let renewed: Vec<(usize, Pressed)> =
-            self.pressed.iter().map(|(row, own)| (*row, own.renewed(of_joint, h).unwrap_or(*own))).collect();
-        let changes = renewed != self.pressed;
-        if changes {
-            self.pressed = self.last_round.next(&self.pressed, renewed);
-        } else {
-            self.last_round = LastRound::default();
-        }
-        Ok(changes)
-    }
-
-    /// Where the loads of bearings were not found: how much the last round changed them, relative to the largest, and
-    /// the bodies of a bearing.
-    pub(crate) fn unfound_loads(&self) -> Option<(f64, (usize, usize))> {
-        let ConstraintId::Contact(id) = self.constraint(self.pressed.first()?.0)? else { return None };
-        Some((self.last_round.relative_change(), (id.a, id.b))).filter(|(change, _)| *change > 0.0)
     }
 
     /// Splits generalised velocities, accelerations or forces into (body, linear part, angular part).

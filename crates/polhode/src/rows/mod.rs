@@ -5,6 +5,7 @@
 //! |---|---|
 //! | `assembly` | the rows of a group: contacts, bilateral constraints, tangents, rotations; what their reactions are |
 //! | `answers` | what is asked of them |
+//! | `bearing_loads` | bearings that their loads press |
 //! | `groups` | bodies that contacts, joints and forces connect |
 //! | `frictional_contact`, `friction_blocks` | a contact with friction among the rows, and the laws of its block |
 //! | `rotation_row`, `resisted_rotation` | rows of rolling and spinning, and the friction that resists them |
@@ -12,6 +13,7 @@
 
 mod answers;
 pub(crate) mod assembly;
+mod bearing_loads;
 pub(crate) mod friction_blocks;
 pub(crate) mod frictional_contact;
 pub(crate) mod groups;

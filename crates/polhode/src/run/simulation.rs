@@ -21,7 +21,7 @@ use crate::report::joint_sample::{CoordinateSample, JointSample};
 use crate::report::momentum_ledger::Momentum;
 use crate::report::observer::{BodySample, Flow, Observer, Unobserved};
 use crate::report::run_report::{Energy, Outcome, PlanChange, RunReport};
-use crate::run::stability::{self, FrictionMargin, Margins, Stability};
+use crate::run::stability::{self, FrictionMargin, Margins, MovingBody, Stability};
 use crate::run::{engines, singular_force, start_overlap};
 use crate::scene::effects::Effects;
 use crate::scene::{Coordinate, Scene};
@@ -513,6 +513,14 @@ impl Simulation {
         let states = self.tier.states(&self.core);
         let contacts = self.tier.contacts(&self.core, self.core.t, &states);
         Ok(stability::of_contacts(&self.core, &states, &contacts, Margins::OfFriction)?.friction)
+    }
+
+    /// The bodies that move at present though nothing carries them, the fastest first, as a motion that begins.
+    pub fn moving_bodies(&self) -> Vec<MovingBody> {
+        let states = self.tier.states(&self.core);
+        let moved = |body: &usize| self.core.model.bodies[*body].moves();
+        let bodies = (0..states.len()).filter(moved);
+        stability::in_motion(&self.core, bodies.map(|body| (body, self.core.model.velocity(body, &states[body]))))
     }
 
     /// Geometric queries about the bodies at the present: nearest body, rays, overlaps, distances. [`BodyQueries`] has

@@ -322,27 +322,32 @@ impl Group<'_> {
 
     /// The bodies that move in a mechanism, the fastest first.
     fn begins(&self, assembly: &Assembly, limit: &Limit) -> Vec<MovingBody> {
-        let mut moving: Vec<MovingBody> = assembly
-            .split(&limit.mechanism)
-            .map(|(body, linear, angular)| {
-                let turning = 0.5 * self.core.model.bodies[body].size * angular.length();
-                let beginning =
-                    if turning > MOVES_RELATIVE * linear.length() { Beginning::Tips } else { Beginning::Slides };
-                let speed = linear.length().max(turning);
-                let direction = linear.try_normalize().filter(|_| linear.length() > MOVES_RELATIVE * speed);
-                let velocity = Velocity::new(linear, angular);
-                MovingBody { body: BodyId::new(body), beginning, speed, direction, velocity }
-            })
-            .collect();
-        let fastest = moving.iter().fold(0.0, |most: f64, body| most.max(body.speed));
-        moving.retain(|body| body.speed > MOVES_RELATIVE * fastest);
-        for body in &mut moving {
-            body.speed /= fastest;
-            body.velocity = Velocity::new(body.velocity.linear / fastest, body.velocity.angular / fastest);
-        }
-        moving.sort_by(|a, b| b.speed.total_cmp(&a.speed));
-        moving
+        let motions = assembly.split(&limit.mechanism);
+        in_motion(self.core, motions.map(|(body, linear, angular)| (body, Velocity::new(linear, angular))))
     }
+}
+
+/// The bodies of a motion, the fastest first, without those that hardly belong to it.
+pub(crate) fn in_motion(core: &Core, motions: impl Iterator<Item = (usize, Velocity)>) -> Vec<MovingBody> {
+    let mut moving: Vec<MovingBody> = motions
+        .map(|(body, velocity)| {
+            let Velocity { linear, angular } = velocity;
+            let turning = 0.5 * core.model.bodies[body].size * angular.length();
+            let beginning =
+                if turning > MOVES_RELATIVE * linear.length() { Beginning::Tips } else { Beginning::Slides };
+            let speed = linear.length().max(turning);
+            let direction = linear.try_normalize().filter(|_| linear.length() > MOVES_RELATIVE * speed);
+            MovingBody { body: BodyId::new(body), beginning, speed, direction, velocity }
+        })
+        .collect();
+    let fastest = moving.iter().fold(0.0, |most: f64, body| most.max(body.speed));
+    moving.retain(|body| body.speed > MOVES_RELATIVE * fastest);
+    for body in &mut moving {
+        body.speed /= fastest;
+        body.velocity = Velocity::new(body.velocity.linear / fastest, body.velocity.angular / fastest);
+    }
+    moving.sort_by(|a, b| b.speed.total_cmp(&a.speed));
+    moving
 }
 
 /// Whether forces hold all bodies: what they leave is rounding of the largest acceleration without them.

@@ -28,9 +28,11 @@
 //! | `pairs` | how many pairs of bodies may collide |
 //! | `tiers` | [`Tier`]: the names of the tiers |
 //! | `effects` | [`Effects`](crate::Effects): which effects a run simulates |
+//! | `appearance` | [`Appearance`]: how a scene is shown |
 //! | `few_digits` | numbers and lengths as messages say them |
 //! | `error` | [`SceneError`]: why a scene is refused |
 
+mod appearance;
 mod body;
 mod builder;
 mod coordinate_motion;
@@ -61,6 +63,7 @@ mod strength;
 pub(crate) mod tiers;
 mod track;
 
+pub use appearance::{Appearance, BodyLook, COLORS, Standpoint};
 pub use body::{Body, BodyMass};
 pub use builder::SceneBuilder;
 pub use coordinate_motion::CoordinateMotion;

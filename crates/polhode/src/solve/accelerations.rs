@@ -205,16 +205,19 @@ pub(crate) fn with_loads_of_bearings(
     (known, ask): (Question<'_>, Ask<'_>),
     memory: &mut Memory,
 ) -> Result<Answer, ResponseError> {
-    let mut known = known;
-    for _ in 1..MOST_ROUNDS_OF_BEARINGS {
-        let found = assembly.answer(Question { constants, ..known }, ask, memory)?;
-        if !assembly.press_by_loads(&found.reactions, 1.0)? {
+    let (mut known, mut near) = (known, None);
+    for round in 1..MOST_ROUNDS_OF_BEARINGS {
+        let found = assembly.answer(Question { constants, near: near.as_deref(), ..known }, ask, memory)?;
+        let blocks = known.blocks.filter(|_| round == 1 && ask == Ask::Stage);
+        let change = |change: &[f64]| memory.change_at_stage(change, blocks?, found.reactions.len());
+        if !assembly.press_by_linear_loads((&found.reactions, 1.0), constants.len(), change)? {
             return Ok(found);
         }
         assembly.press(constants, 1.0);
         known.rows = Rows::AsBefore;
+        near = Some(found.reactions);
     }
-    assembly.answer(Question { constants, ..known }, ask, memory)
+    assembly.answer(Question { constants, near: near.as_deref(), ..known }, ask, memory)
 }
 
 /// The violation of Coulomb's law in bearings whose loads were not found: their friction is that of other loads.

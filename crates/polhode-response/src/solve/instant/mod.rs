@@ -83,5 +83,5 @@ pub(super) fn solve(problem: &RowProblem<'_>, blocks: &Blocks, ask: Ask<'_>) -> 
         return Ok(rounded(sticking::of_no_slip(terms, &delassus, at)?, None));
     }
     let settings = FrictionSettings { acceptance: ACCEPTED_SLIDING, ..FrictionSettings::default() };
-    Ok(rounded(blocks.solve(&delassus, problem.known.constants, None, &settings)?, None))
+    Ok(rounded(blocks.solve(&delassus, problem.known.constants, problem.known.near, &settings)?, None))
 }

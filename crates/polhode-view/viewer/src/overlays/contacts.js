@@ -95,7 +95,7 @@ export class Contacts {
       { colour: NORMAL_COLOUR, text: 'contact point and normal (towards the first body)' },
       { colour: FORCE_COLOUR, text: `force on a body that moves: ${scale}` },
     ];
-    if (this.view.run.joints.length > 0) {
+    if (this.view.run.joints > 0) {
       lines.push({ colour: JOINT_COLOUR, text: `force of a joint on its first body: ${scale}` });
     }
     return lines;

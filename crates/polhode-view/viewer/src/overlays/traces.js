@@ -1,7 +1,6 @@
 // The paths of the centres of mass: the past strong, the future faint.
 
 import { BufferAttribute, BufferGeometry, Color, Group, LineBasicMaterial, LineSegments } from 'three';
-import { BODY_COLOURS } from '../colours.js';
 import { normalise } from '../rotation.js';
 import { centreAt } from '../snapshot.js';
 
@@ -37,9 +36,9 @@ export class Traces {
     const steps = Math.ceil(run.times.length / this.stride) - 1;
     this.positions = new BufferAttribute(new Float32Array(6 * bodies * steps), 3);
     const colours = new BufferAttribute(new Uint8Array(6 * bodies * steps), 3, true);
-    const palette = BODY_COLOURS.map((text) => new Color(text));
+    const palette = run.moving.map((body) => new Color(run.bodies[body].colour));
     for (let vertex = 0; vertex < 2 * bodies * steps; vertex += 1) {
-      const { r, g, b } = palette[run.moving[(vertex >> 1) % bodies] % palette.length];
+      const { r, g, b } = palette[(vertex >> 1) % bodies];
       colours.setXYZ(vertex, r, g, b);
     }
     const lines = (opacity) => {

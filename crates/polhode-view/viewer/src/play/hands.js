@@ -34,6 +34,7 @@ const KEYS = [
   ['T', 'ghost of truth'],
   ['C', 'second copy'],
   ['F', 'fit all into the picture'],
+  ['H', 'look as at first'],
   ['E', 'to the text'],
   ['Esc', 'look at no body; out of the text'],
   ['?', 'this help'],
@@ -125,6 +126,7 @@ export function buildControls(playground) {
 
 function cameras(playground) {
   const made = [
+    ['Home', 'home'],
     ['Fit', 'fit'],
     ['Front', 'front'],
     ['Side', 'side'],
@@ -181,6 +183,7 @@ export function listenForKeys(playground) {
     t: () => press('truth'),
     c: () => press('twin'),
     f: () => playground.picture.fit('fit'),
+    h: () => playground.picture.fit('home'),
     e: () => playground.editor.area.focus(),
     Escape: () => playground.select(null),
     '?': () => byId('help').showModal(),

@@ -1,33 +1,29 @@
 // The picture: the bodies that run, the ghosts beside them, the spring of the hand, and the forces on a body.
 
-import { Box3, BufferGeometry, Float32BufferAttribute, Group, LineBasicMaterial, LineSegments, Plane, Quaternion, Raycaster, Sphere, Vector2, Vector3 } from 'three';
+import { BufferGeometry, Float32BufferAttribute, Group, LineBasicMaterial, LineSegments, Plane, Raycaster, Vector2, Vector3 } from 'three';
 import { Arrows } from '../arrows.js';
 import { Bodies, meshGeometry } from '../bodies.js';
 import { Camera } from '../camera.js';
 import { FORCE_COLOUR, JOINT_COLOUR, SELECTED_COLOUR, SPIN_COLOUR } from '../colours.js';
+import { byId } from '../controls.js';
+import { Dots } from '../dots.js';
+import { boundsOf, framed, framedNow, radiusOf } from '../framing.js';
 import { Ground } from '../ground.js';
 import { PageError } from '../errors.js';
 import { instancedLines } from '../instances.js';
 import { Joints } from '../joints.js';
 import { quantile } from '../numbers.js';
 import { cubeEdges, placeBox } from '../overlays/boxes.js';
+import { Scale } from '../scale.js';
+import { centreAt } from '../snapshot.js';
 import { drawnBySoftware, Stage } from '../stage.js';
 
-/** Radius in m of a body of which no bounding box is known. */
-const UNKNOWN_RADIUS = 0.5;
 /** With more bodies than this there are no shadows. */
 const MANY_BODIES = 500;
 /** How long the longest arrow of a force is, in radii of a body. */
 const FORCE_RADII = 3;
-/** A plane so many radii of all bodies below them is in the picture. */
-const NEAR_PLANE = 6;
 /** A press that moves less than this many pixels is a click. */
 const CLICK_PIXELS = 5;
-
-function radiusOf({ box }) {
-  if (!box) return UNKNOWN_RADIUS;
-  return Math.hypot(...[0, 1, 2].map((k) => Math.max(Math.abs(box[0][k]), Math.abs(box[1][k]))));
-}
 
 /** The shape of a body as lines alone: where its truth is. */
 class Outline {
@@ -79,7 +75,7 @@ export class Picture {
   }
 
   /** Shows another scene; the camera stays where the bodies are much the same. */
-  show(run, meshes) {
+  show({ runs: [run], meshes, look, gravity }) {
     const before = this.run?.bodies.map(({ name }) => name).join('\n');
     const same = before === run.bodies.map(({ name }) => name).join('\n');
     this.run = run;
@@ -88,14 +84,15 @@ export class Picture {
     this.ghosts.clear();
     const shadows = run.bodies.length <= MANY_BODIES;
     this.poses = Float64Array.from(run.initial);
-    this.snapshot = { poses: this.poses };
+    this.snapshot = { poses: this.poses, centreOf: (body) => centreAt(run.bodies[body], this.poses, 7 * body) };
     this.radii = run.bodies.map(radiusOf);
     const movers = run.moving.filter((body) => run.bodies[body].box);
-    this.size = quantile(movers.map((body) => this.radii[body]), 0.5) ?? UNKNOWN_RADIUS;
+    this.size = quantile(movers.map((body) => this.radii[body]), 0.5) ?? radiusOf({});
     this.bodies = new Bodies(run, this.geometries, { shadows, edges: true, ghost: false });
-    const reach = this.bounds().getBoundingSphere(new Sphere()).radius;
-    this.ground = new Ground(run, Math.max(6 * reach, 12 * this.size), shadows);
-    this.joints = new Joints(run);
+    this.ground = new Ground(run, boundsOf(framed(run, run.initial)), shadows);
+    this.joints = new Joints(run, { ...look, shadows }, gravity);
+    this.dots = new Dots(run, (body) => this.radii[body]);
+    this.scale = new Scale(byId('scale'), look.axes, this.ground.holders.length > 0 ? this.ground.cell : null);
     this.frame = instancedLines(
       cubeEdges(),
       new LineBasicMaterial({ color: SELECTED_COLOUR, depthTest: false, transparent: true }),
@@ -109,12 +106,13 @@ export class Picture {
     this.line = new LineSegments(line, new LineBasicMaterial({ color: JOINT_COLOUR, depthTest: false, transparent: true }));
     this.line.frustumCulled = false;
     this.line.renderOrder = 8;
-    this.group.add(this.ground.group, this.bodies.group, this.joints.group, this.frame, this.pull.group, this.forces.group, this.line);
+    this.group.add(this.ground.group, this.bodies.group, this.joints.group, this.dots.group, this.frame, this.pull.group, this.forces.group, this.line);
     if (this.selected !== null && this.selected >= run.bodies.length) this.selected = null;
     this.why = null;
     this.hand = [];
     this.strongest = 0;
-    if (!same) this.fit();
+    this.camera.home = run.frame;
+    if (!same) this.fit('home');
     this.applyTheme();
   }
 
@@ -131,44 +129,11 @@ export class Picture {
     this.group.add(outline.group);
   }
 
-  bounds() {
-    const { run } = this;
-    const boxed = (list) => list.filter((body) => run.bodies[body].box);
-    const movers = boxed(run.moving);
-    const shown = movers.length > 0 ? movers : boxed(run.bodies.map((_, body) => body));
-    const bounds = new Box3();
-    for (const body of shown) {
-      const place = new Vector3().fromArray(this.poses, 7 * body);
-      bounds.expandByPoint(place.clone().addScalar(this.radii[body])).expandByPoint(place.addScalar(-this.radii[body]));
-    }
-    for (const foot of this.feet(shown, bounds.getBoundingSphere(new Sphere()).radius)) bounds.expandByPoint(foot);
-    return bounds.isEmpty() ? new Box3(new Vector3(-0.5, -0.5, -0.5), new Vector3(0.5, 0.5, 0.5)) : bounds;
-  }
-
-  /** Where bodies would stand on the planes below them, as far as these are near. */
-  feet(bodies, reach) {
-    const feet = [];
-    this.run.bodies.forEach(({ half_spaces }, holder) => {
-      for (const { normal, offset_m } of half_spaces) {
-        const at = 7 * holder;
-        const up = new Vector3(...normal).applyQuaternion(
-          new Quaternion(this.poses[at + 4], this.poses[at + 5], this.poses[at + 6], this.poses[at + 3]),
-        );
-        const height = offset_m + up.dot(new Vector3().fromArray(this.poses, at));
-        for (const body of bodies) {
-          const place = new Vector3().fromArray(this.poses, 7 * body);
-          const above = up.dot(place) - height;
-          if (above > 0 && above < NEAR_PLANE * reach) feet.push(place.addScaledVector(up, -above));
-        }
-      }
-    });
-    return feet;
-  }
-
   /** All bodies in the picture, from where the camera stands or from a preset. */
-  fit(name = 'iso') {
+  fit(name) {
     this.stage.resize();
-    this.camera.look(name, this.bounds(), [1, 1]);
+    const points = name === 'home' ? framed(this.run, this.run.initial) : framedNow(this.run, this.poses);
+    this.camera.look(name, points, [1, 1]);
     this.dirty = true;
   }
 
@@ -253,6 +218,7 @@ export class Picture {
     this.dirty = false;
     this.bodies.update(this.snapshot, this.stage.eye());
     this.joints.update(this.poses);
+    this.dots.update(this.snapshot, this.stage.eye());
     this.ground.update(this.snapshot);
     for (const { outline, poses } of this.ghosts.values()) outline.bodies.update({ poses }, this.stage.eye());
     const box = this.run.bodies[this.selected]?.box;
@@ -264,6 +230,8 @@ export class Picture {
     this.drawHand();
     this.drawForces();
     this.stage.draw([[this.group]], this.camera.target, 'row');
+    const distance = this.stage.camera.position.distanceTo(this.camera.target);
+    this.scale.draw(this.stage.camera, this.stage.eye().pixels / distance);
   }
 
   drawHand() {

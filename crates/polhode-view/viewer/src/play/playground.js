@@ -260,7 +260,7 @@ export class Playground {
     this.energies.clear();
     this.distances.clear();
     this.why.clear();
-    this.picture.show(scene.runs[0], scene.meshes);
+    this.picture.show(scene);
     this.controls.showSurface(surface);
     this.controls.showSpeed(this.firstSpeed(scene.runs[0].duration));
   }
