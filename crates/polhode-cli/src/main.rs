@@ -35,6 +35,7 @@
 //! | `stands` | the command that says whether bodies stand |
 //! | `drop` | the command that says on which faces a body comes to rest |
 //! | `judge` | the command that judges a trajectory by the laws of a scene |
+//! | `play` | the command that writes a page which runs a scene itself |
 //! | `scene` | loading the scene that a command names |
 //! | `text` | numbers, tables and reports for people |
 //! | `stdout`, `harmless` | writing results; text that does not steer a terminal |

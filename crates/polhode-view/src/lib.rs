@@ -19,7 +19,7 @@
 //! | [`recording`] | poses over time, for pictures and models |
 //! | [`extent`], [`framing`], `planar` | what a picture holds, and whence it is best seen |
 //! | [`fixtures`] | what is drawn of joints, springs and tracks |
-//! | [`overlay`], `annotations` | velocities, forces and paths over a picture; axes, a scale and words on it |
+//! | [`overlay`], `annotations`, `scale` | velocities, forces and paths over a picture; words, axes and a scale on it |
 //! | [`camera`], [`light`], [`raster`] | a software rasteriser with depth, light, shadow and anti-aliasing |
 //! | [`still`], [`animation`] | PNG; GIF, APNG and WebP |
 //! | [`glb`] | animated models as binary glTF |
@@ -62,6 +62,7 @@ mod error_steps;
 mod lengths;
 mod penetration;
 mod planar;
+mod scale;
 mod text;
 mod thinning;
 mod turning;

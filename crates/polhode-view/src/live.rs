@@ -1,7 +1,6 @@
 //! What a page shows of a scene that it runs itself: the bodies and meshes of a page, without a motion.
 
 use crate::extent::Extent;
-use crate::framing::add_moving;
 use crate::mesh_library::MeshLibrary;
 use crate::page::{self, VERSION};
 use crate::shown_scene::ShownScene;
@@ -15,9 +14,7 @@ pub fn scene_json(scene: &Scene, appearance: &Appearance, title: &str, descripti
     let mut shown = ShownScene::new(scene, &mut meshes);
     shown.show_as(appearance);
     let initial: Vec<_> = scene.bodies().iter().map(|body| *body.initial_pose()).collect();
-    let mut reach = Extent::new();
-    add_moving(&mut reach, &shown, shown.moving.iter().filter_map(|&body| initial.get(body)));
-    let mut run = page::described(&shown, reach, &initial);
+    let mut run = page::described(&shown, Extent::new(), &initial);
     run["name"] = json!(scene.name());
     run["duration_s"] = json!(scene.duration_s());
     run["frames"] = json!({ "count": 0, "times": "", "moving": shown.moving });

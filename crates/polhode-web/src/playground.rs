@@ -133,8 +133,8 @@ impl Playground {
     /// When forces do not move the body.
     pub fn push(&mut self, body: usize, point: &[f64], speed: &[f64]) -> Result<(), JsValue> {
         self.doing(|own| {
-            let mass =
-                own.scene().bodies().get(body).and_then(polhode::Body::mass_properties).map_or(1.0, MassProperties::mass);
+            let pushed = own.scene().bodies().get(body);
+            let mass = pushed.and_then(polhode::Body::mass_properties).map_or(1.0, MassProperties::mass);
             own.push(body, vector(point), vector(speed) * mass)
         })
     }

@@ -13,7 +13,13 @@ use std::process::{Command, ExitCode};
 const TARGET: &str = "wasm32-unknown-unknown";
 
 /// What builds need besides a compiler.
-const INSTALL: &str = "rustup target add wasm32-unknown-unknown";
+const INSTALL: &str = "rustup target add wasm32-unknown-unknown, rustup component add rust-src";
+
+/// The standard library is built for its size too, and a panic ends the engine without words: a quarter of the engine.
+const LIBRARY: [&str; 2] = ["-Zbuild-std=std,panic_abort", "-Zbuild-std-features=optimize_for_size"];
+
+/// Registers of two numbers, and no text of a panic.
+const FLAGS: &str = "-Ctarget-feature=+simd128 -Zunstable-options -Cpanic=immediate-abort -Zlocation-detail=none";
 
 /// Builds all of it.
 ///
@@ -22,7 +28,9 @@ const INSTALL: &str = "rustup target add wasm32-unknown-unknown";
 pub(crate) fn run(root: &Path) -> Result<ExitCode, Box<dyn Error>> {
     let library = ["build", "--package", "polhode-web", "--lib", "--target", TARGET, "--profile", "web"];
     let mut engine = cargo(root);
-    engine.args(library).env("RUSTFLAGS", without_places(root));
+    // The compiler of a release takes these flags only where it is told that it may.
+    let flags = format!("{FLAGS} {}", without_places(root));
+    engine.args(library).args(LIBRARY).env("RUSTC_BOOTSTRAP", "1").env("RUSTFLAGS", flags);
     succeeded(&mut engine, &format!("the engine does not build: is the target there? {INSTALL}"))?;
     let made = tempfile::tempdir()?;
     let built = root.join("target").join(TARGET).join("web/polhode_web.wasm");

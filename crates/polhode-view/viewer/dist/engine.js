@@ -26,13 +26,13 @@ let wasm_bindgen = (function(exports) {
         add_file(name, bytes) {
             let ptr0, len0, ptr1, len1;
             try {
-                ptr0 = passStringToWasm0(name, wasm.__wbindgen_export2, wasm.__wbindgen_export3);
+                ptr0 = passStringToWasm0(name, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
                 len0 = WASM_VECTOR_LEN;
-                ptr1 = passArray8ToWasm0(bytes, wasm.__wbindgen_export2);
+                ptr1 = passArray8ToWasm0(bytes, wasm.__wbindgen_malloc);
                 len1 = WASM_VECTOR_LEN;
             } catch (e) {
-                if (ptr1) { wasm.__wbindgen_export4(ptr1, len1 * 1, 1); }
-                if (ptr0) { wasm.__wbindgen_export4(ptr0, len0 * 1, 1); }
+                if (ptr1) { wasm.__wbindgen_free(ptr1, len1 * 1, 1); }
+                if (ptr0) { wasm.__wbindgen_free(ptr0, len0 * 1, 1); }
                 throw e;
             }
             wasm.playground_add_file(this.__wbg_ptr, ptr0, len0, ptr1, len1);
@@ -42,17 +42,10 @@ let wasm_bindgen = (function(exports) {
          * @returns {Float64Array}
          */
         contacts() {
-            try {
-                const retptr = wasm.__wbindgen_add_to_stack_pointer(-16) >>> 0;
-                wasm.playground_contacts(retptr, this.__wbg_ptr);
-                var r0 = getDataViewMemory0().getInt32(retptr + 4 * 0, true);
-                var r1 = getDataViewMemory0().getInt32(retptr + 4 * 1, true);
-                var v1 = getArrayF64FromWasm0(r0, r1).slice();
-                wasm.__wbindgen_export4(r0, r1 * 8, 8);
-                return v1;
-            } finally {
-                wasm.__wbindgen_add_to_stack_pointer(16);
-            }
+            const ret = wasm.playground_contacts(this.__wbg_ptr);
+            var v1 = getArrayF64FromWasm0(ret[0], ret[1]).slice();
+            wasm.__wbindgen_free(ret[0], ret[1] * 8, 8);
+            return v1;
         }
         /**
          * Whether the end of the scene's duration has been reached.
@@ -73,16 +66,9 @@ let wasm_bindgen = (function(exports) {
          * @param {number} z
          */
         grab(body, x, y, z) {
-            try {
-                const retptr = wasm.__wbindgen_add_to_stack_pointer(-16) >>> 0;
-                wasm.playground_grab(retptr, this.__wbg_ptr, body, x, y, z);
-                var r0 = getDataViewMemory0().getInt32(retptr + 4 * 0, true);
-                var r1 = getDataViewMemory0().getInt32(retptr + 4 * 1, true);
-                if (r1) {
-                    throw takeFromExternrefTable0(r0);
-                }
-            } finally {
-                wasm.__wbindgen_add_to_stack_pointer(16);
+            const ret = wasm.playground_grab(this.__wbg_ptr, body, x, y, z);
+            if (ret[1]) {
+                throw takeFromExternrefTable0(ret[0]);
             }
         }
         /**
@@ -93,16 +79,12 @@ let wasm_bindgen = (function(exports) {
             let deferred1_0;
             let deferred1_1;
             try {
-                const retptr = wasm.__wbindgen_add_to_stack_pointer(-16) >>> 0;
-                wasm.playground_hash(retptr, this.__wbg_ptr);
-                var r0 = getDataViewMemory0().getInt32(retptr + 4 * 0, true);
-                var r1 = getDataViewMemory0().getInt32(retptr + 4 * 1, true);
-                deferred1_0 = r0;
-                deferred1_1 = r1;
-                return getStringFromWasm0(r0, r1);
+                const ret = wasm.playground_hash(this.__wbg_ptr);
+                deferred1_0 = ret[0];
+                deferred1_1 = ret[1];
+                return getStringFromWasm0(ret[0], ret[1]);
             } finally {
-                wasm.__wbindgen_add_to_stack_pointer(16);
-                wasm.__wbindgen_export4(deferred1_0, deferred1_1, 1);
+                wasm.__wbindgen_free(deferred1_0, deferred1_1, 1);
             }
         }
         /**
@@ -110,17 +92,10 @@ let wasm_bindgen = (function(exports) {
          * @returns {Float64Array}
          */
         held() {
-            try {
-                const retptr = wasm.__wbindgen_add_to_stack_pointer(-16) >>> 0;
-                wasm.playground_held(retptr, this.__wbg_ptr);
-                var r0 = getDataViewMemory0().getInt32(retptr + 4 * 0, true);
-                var r1 = getDataViewMemory0().getInt32(retptr + 4 * 1, true);
-                var v1 = getArrayF64FromWasm0(r0, r1).slice();
-                wasm.__wbindgen_export4(r0, r1 * 8, 8);
-                return v1;
-            } finally {
-                wasm.__wbindgen_add_to_stack_pointer(16);
-            }
+            const ret = wasm.playground_held(this.__wbg_ptr);
+            var v1 = getArrayF64FromWasm0(ret[0], ret[1]).slice();
+            wasm.__wbindgen_free(ret[0], ret[1] * 8, 8);
+            return v1;
         }
         /**
          * Loads a scene; `changes` holds a line `key=value` for each value that is set from outside. What the page shows
@@ -136,35 +111,29 @@ let wasm_bindgen = (function(exports) {
             let deferred4_0;
             let deferred4_1;
             try {
-                const retptr = wasm.__wbindgen_add_to_stack_pointer(-16) >>> 0;
                 let ptr0, len0, ptr1, len1;
                 try {
-                    ptr0 = passStringToWasm0(text, wasm.__wbindgen_export2, wasm.__wbindgen_export3);
+                    ptr0 = passStringToWasm0(text, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
                     len0 = WASM_VECTOR_LEN;
-                    ptr1 = passStringToWasm0(changes, wasm.__wbindgen_export2, wasm.__wbindgen_export3);
+                    ptr1 = passStringToWasm0(changes, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
                     len1 = WASM_VECTOR_LEN;
                 } catch (e) {
-                    if (ptr1) { wasm.__wbindgen_export4(ptr1, len1 * 1, 1); }
-                    if (ptr0) { wasm.__wbindgen_export4(ptr0, len0 * 1, 1); }
+                    if (ptr1) { wasm.__wbindgen_free(ptr1, len1 * 1, 1); }
+                    if (ptr0) { wasm.__wbindgen_free(ptr0, len0 * 1, 1); }
                     throw e;
                 }
-                wasm.playground_load(retptr, this.__wbg_ptr, ptr0, len0, ptr1, len1);
-                var r0 = getDataViewMemory0().getInt32(retptr + 4 * 0, true);
-                var r1 = getDataViewMemory0().getInt32(retptr + 4 * 1, true);
-                var r2 = getDataViewMemory0().getInt32(retptr + 4 * 2, true);
-                var r3 = getDataViewMemory0().getInt32(retptr + 4 * 3, true);
-                var ptr3 = r0;
-                var len3 = r1;
-                if (r3) {
+                const ret = wasm.playground_load(this.__wbg_ptr, ptr0, len0, ptr1, len1);
+                var ptr3 = ret[0];
+                var len3 = ret[1];
+                if (ret[3]) {
                     ptr3 = 0; len3 = 0;
-                    throw takeFromExternrefTable0(r2);
+                    throw takeFromExternrefTable0(ret[2]);
                 }
                 deferred4_0 = ptr3;
                 deferred4_1 = len3;
                 return getStringFromWasm0(ptr3, len3);
             } finally {
-                wasm.__wbindgen_add_to_stack_pointer(16);
-                wasm.__wbindgen_export4(deferred4_0, deferred4_1, 1);
+                wasm.__wbindgen_free(deferred4_0, deferred4_1, 1);
             }
         }
         /**
@@ -178,24 +147,18 @@ let wasm_bindgen = (function(exports) {
             let deferred2_0;
             let deferred2_1;
             try {
-                const retptr = wasm.__wbindgen_add_to_stack_pointer(-16) >>> 0;
-                wasm.playground_margins(retptr, this.__wbg_ptr);
-                var r0 = getDataViewMemory0().getInt32(retptr + 4 * 0, true);
-                var r1 = getDataViewMemory0().getInt32(retptr + 4 * 1, true);
-                var r2 = getDataViewMemory0().getInt32(retptr + 4 * 2, true);
-                var r3 = getDataViewMemory0().getInt32(retptr + 4 * 3, true);
-                var ptr1 = r0;
-                var len1 = r1;
-                if (r3) {
+                const ret = wasm.playground_margins(this.__wbg_ptr);
+                var ptr1 = ret[0];
+                var len1 = ret[1];
+                if (ret[3]) {
                     ptr1 = 0; len1 = 0;
-                    throw takeFromExternrefTable0(r2);
+                    throw takeFromExternrefTable0(ret[2]);
                 }
                 deferred2_0 = ptr1;
                 deferred2_1 = len1;
                 return getStringFromWasm0(ptr1, len1);
             } finally {
-                wasm.__wbindgen_add_to_stack_pointer(16);
-                wasm.__wbindgen_export4(deferred2_0, deferred2_1, 1);
+                wasm.__wbindgen_free(deferred2_0, deferred2_1, 1);
             }
         }
         /**
@@ -212,17 +175,10 @@ let wasm_bindgen = (function(exports) {
          * @returns {Float64Array}
          */
         poses() {
-            try {
-                const retptr = wasm.__wbindgen_add_to_stack_pointer(-16) >>> 0;
-                wasm.playground_poses(retptr, this.__wbg_ptr);
-                var r0 = getDataViewMemory0().getInt32(retptr + 4 * 0, true);
-                var r1 = getDataViewMemory0().getInt32(retptr + 4 * 1, true);
-                var v1 = getArrayF64FromWasm0(r0, r1).slice();
-                wasm.__wbindgen_export4(r0, r1 * 8, 8);
-                return v1;
-            } finally {
-                wasm.__wbindgen_add_to_stack_pointer(16);
-            }
+            const ret = wasm.playground_poses(this.__wbg_ptr);
+            var v1 = getArrayF64FromWasm0(ret[0], ret[1]).slice();
+            wasm.__wbindgen_free(ret[0], ret[1] * 8, 8);
+            return v1;
         }
         /**
          * Moves the hand to a point of the world, m.
@@ -243,28 +199,21 @@ let wasm_bindgen = (function(exports) {
          * @param {Float64Array | number[]} speed
          */
         push(body, point, speed) {
+            const val3 = +body;
+            let ptr0, len0, ptr1, len1;
             try {
-                const retptr = wasm.__wbindgen_add_to_stack_pointer(-16) >>> 0;
-                const val3 = +body;
-                let ptr0, len0, ptr1, len1;
-                try {
-                    ptr0 = passArrayF64ToWasm0(point, wasm.__wbindgen_export2);
-                    len0 = WASM_VECTOR_LEN;
-                    ptr1 = passArrayF64ToWasm0(speed, wasm.__wbindgen_export2);
-                    len1 = WASM_VECTOR_LEN;
-                } catch (e) {
-                    if (ptr1) { wasm.__wbindgen_export4(ptr1, len1 * 8, 8); }
-                    if (ptr0) { wasm.__wbindgen_export4(ptr0, len0 * 8, 8); }
-                    throw e;
-                }
-                wasm.playground_push(retptr, this.__wbg_ptr, val3, ptr0, len0, ptr1, len1);
-                var r0 = getDataViewMemory0().getInt32(retptr + 4 * 0, true);
-                var r1 = getDataViewMemory0().getInt32(retptr + 4 * 1, true);
-                if (r1) {
-                    throw takeFromExternrefTable0(r0);
-                }
-            } finally {
-                wasm.__wbindgen_add_to_stack_pointer(16);
+                ptr0 = passArrayF64ToWasm0(point, wasm.__wbindgen_malloc);
+                len0 = WASM_VECTOR_LEN;
+                ptr1 = passArrayF64ToWasm0(speed, wasm.__wbindgen_malloc);
+                len1 = WASM_VECTOR_LEN;
+            } catch (e) {
+                if (ptr1) { wasm.__wbindgen_free(ptr1, len1 * 8, 8); }
+                if (ptr0) { wasm.__wbindgen_free(ptr0, len0 * 8, 8); }
+                throw e;
+            }
+            const ret = wasm.playground_push(this.__wbg_ptr, val3, ptr0, len0, ptr1, len1);
+            if (ret[1]) {
+                throw takeFromExternrefTable0(ret[0]);
             }
         }
         /**
@@ -274,16 +223,9 @@ let wasm_bindgen = (function(exports) {
          * When the engine refuses it.
          */
         release() {
-            try {
-                const retptr = wasm.__wbindgen_add_to_stack_pointer(-16) >>> 0;
-                wasm.playground_release(retptr, this.__wbg_ptr);
-                var r0 = getDataViewMemory0().getInt32(retptr + 4 * 0, true);
-                var r1 = getDataViewMemory0().getInt32(retptr + 4 * 1, true);
-                if (r1) {
-                    throw takeFromExternrefTable0(r0);
-                }
-            } finally {
-                wasm.__wbindgen_add_to_stack_pointer(16);
+            const ret = wasm.playground_release(this.__wbg_ptr);
+            if (ret[1]) {
+                throw takeFromExternrefTable0(ret[0]);
             }
         }
         /**
@@ -295,19 +237,11 @@ let wasm_bindgen = (function(exports) {
          * @returns {number}
          */
         rewind(t_s) {
-            try {
-                const retptr = wasm.__wbindgen_add_to_stack_pointer(-16) >>> 0;
-                wasm.playground_rewind(retptr, this.__wbg_ptr, t_s);
-                var r0 = getDataViewMemory0().getFloat64(retptr + 8 * 0, true);
-                var r2 = getDataViewMemory0().getInt32(retptr + 4 * 2, true);
-                var r3 = getDataViewMemory0().getInt32(retptr + 4 * 3, true);
-                if (r3) {
-                    throw takeFromExternrefTable0(r2);
-                }
-                return r0;
-            } finally {
-                wasm.__wbindgen_add_to_stack_pointer(16);
+            const ret = wasm.playground_rewind(this.__wbg_ptr, t_s);
+            if (ret[2]) {
+                throw takeFromExternrefTable0(ret[1]);
             }
+            return ret[0];
         }
         /**
          * As `rewind`, and on to the time within a long step.
@@ -318,19 +252,11 @@ let wasm_bindgen = (function(exports) {
          * @returns {number}
          */
         rewind_to(t_s) {
-            try {
-                const retptr = wasm.__wbindgen_add_to_stack_pointer(-16) >>> 0;
-                wasm.playground_rewind_to(retptr, this.__wbg_ptr, t_s);
-                var r0 = getDataViewMemory0().getFloat64(retptr + 8 * 0, true);
-                var r2 = getDataViewMemory0().getInt32(retptr + 4 * 2, true);
-                var r3 = getDataViewMemory0().getInt32(retptr + 4 * 3, true);
-                if (r3) {
-                    throw takeFromExternrefTable0(r2);
-                }
-                return r0;
-            } finally {
-                wasm.__wbindgen_add_to_stack_pointer(16);
+            const ret = wasm.playground_rewind_to(this.__wbg_ptr, t_s);
+            if (ret[2]) {
+                throw takeFromExternrefTable0(ret[1]);
             }
+            return ret[0];
         }
         /**
          * Gives all materials this friction.
@@ -340,16 +266,9 @@ let wasm_bindgen = (function(exports) {
          * @param {number} friction
          */
         set_friction(friction) {
-            try {
-                const retptr = wasm.__wbindgen_add_to_stack_pointer(-16) >>> 0;
-                wasm.playground_set_friction(retptr, this.__wbg_ptr, friction);
-                var r0 = getDataViewMemory0().getInt32(retptr + 4 * 0, true);
-                var r1 = getDataViewMemory0().getInt32(retptr + 4 * 1, true);
-                if (r1) {
-                    throw takeFromExternrefTable0(r0);
-                }
-            } finally {
-                wasm.__wbindgen_add_to_stack_pointer(16);
+            const ret = wasm.playground_set_friction(this.__wbg_ptr, friction);
+            if (ret[1]) {
+                throw takeFromExternrefTable0(ret[0]);
             }
         }
         /**
@@ -360,16 +279,9 @@ let wasm_bindgen = (function(exports) {
          * @param {number} restitution
          */
         set_restitution(restitution) {
-            try {
-                const retptr = wasm.__wbindgen_add_to_stack_pointer(-16) >>> 0;
-                wasm.playground_set_restitution(retptr, this.__wbg_ptr, restitution);
-                var r0 = getDataViewMemory0().getInt32(retptr + 4 * 0, true);
-                var r1 = getDataViewMemory0().getInt32(retptr + 4 * 1, true);
-                if (r1) {
-                    throw takeFromExternrefTable0(r0);
-                }
-            } finally {
-                wasm.__wbindgen_add_to_stack_pointer(16);
+            const ret = wasm.playground_set_restitution(this.__wbg_ptr, restitution);
+            if (ret[1]) {
+                throw takeFromExternrefTable0(ret[0]);
             }
         }
         /**
@@ -381,16 +293,9 @@ let wasm_bindgen = (function(exports) {
          * @param {number} by_m
          */
         shift(body, by_m) {
-            try {
-                const retptr = wasm.__wbindgen_add_to_stack_pointer(-16) >>> 0;
-                wasm.playground_shift(retptr, this.__wbg_ptr, body, by_m);
-                var r0 = getDataViewMemory0().getInt32(retptr + 4 * 0, true);
-                var r1 = getDataViewMemory0().getInt32(retptr + 4 * 1, true);
-                if (r1) {
-                    throw takeFromExternrefTable0(r0);
-                }
-            } finally {
-                wasm.__wbindgen_add_to_stack_pointer(16);
+            const ret = wasm.playground_shift(this.__wbg_ptr, body, by_m);
+            if (ret[1]) {
+                throw takeFromExternrefTable0(ret[0]);
             }
         }
         /**
@@ -401,19 +306,11 @@ let wasm_bindgen = (function(exports) {
          * @returns {number}
          */
         step() {
-            try {
-                const retptr = wasm.__wbindgen_add_to_stack_pointer(-16) >>> 0;
-                wasm.playground_step(retptr, this.__wbg_ptr);
-                var r0 = getDataViewMemory0().getFloat64(retptr + 8 * 0, true);
-                var r2 = getDataViewMemory0().getInt32(retptr + 4 * 2, true);
-                var r3 = getDataViewMemory0().getInt32(retptr + 4 * 3, true);
-                if (r3) {
-                    throw takeFromExternrefTable0(r2);
-                }
-                return r0;
-            } finally {
-                wasm.__wbindgen_add_to_stack_pointer(16);
+            const ret = wasm.playground_step(this.__wbg_ptr);
+            if (ret[2]) {
+                throw takeFromExternrefTable0(ret[1]);
             }
+            return ret[0];
         }
         /**
          * How many steps have been made.
@@ -428,17 +325,10 @@ let wasm_bindgen = (function(exports) {
          * @returns {Float64Array}
          */
         surface() {
-            try {
-                const retptr = wasm.__wbindgen_add_to_stack_pointer(-16) >>> 0;
-                wasm.playground_surface(retptr, this.__wbg_ptr);
-                var r0 = getDataViewMemory0().getInt32(retptr + 4 * 0, true);
-                var r1 = getDataViewMemory0().getInt32(retptr + 4 * 1, true);
-                var v1 = getArrayF64FromWasm0(r0, r1).slice();
-                wasm.__wbindgen_export4(r0, r1 * 8, 8);
-                return v1;
-            } finally {
-                wasm.__wbindgen_add_to_stack_pointer(16);
-            }
+            const ret = wasm.playground_surface(this.__wbg_ptr);
+            var v1 = getArrayF64FromWasm0(ret[0], ret[1]).slice();
+            wasm.__wbindgen_free(ret[0], ret[1] * 8, 8);
+            return v1;
         }
         /**
          * Time reached, s.
@@ -459,24 +349,18 @@ let wasm_bindgen = (function(exports) {
             let deferred2_0;
             let deferred2_1;
             try {
-                const retptr = wasm.__wbindgen_add_to_stack_pointer(-16) >>> 0;
-                wasm.playground_told(retptr, this.__wbg_ptr);
-                var r0 = getDataViewMemory0().getInt32(retptr + 4 * 0, true);
-                var r1 = getDataViewMemory0().getInt32(retptr + 4 * 1, true);
-                var r2 = getDataViewMemory0().getInt32(retptr + 4 * 2, true);
-                var r3 = getDataViewMemory0().getInt32(retptr + 4 * 3, true);
-                var ptr1 = r0;
-                var len1 = r1;
-                if (r3) {
+                const ret = wasm.playground_told(this.__wbg_ptr);
+                var ptr1 = ret[0];
+                var len1 = ret[1];
+                if (ret[3]) {
                     ptr1 = 0; len1 = 0;
-                    throw takeFromExternrefTable0(r2);
+                    throw takeFromExternrefTable0(ret[2]);
                 }
                 deferred2_0 = ptr1;
                 deferred2_1 = len1;
                 return getStringFromWasm0(ptr1, len1);
             } finally {
-                wasm.__wbindgen_add_to_stack_pointer(16);
-                wasm.__wbindgen_export4(deferred2_0, deferred2_1, 1);
+                wasm.__wbindgen_free(deferred2_0, deferred2_1, 1);
             }
         }
         /**
@@ -491,24 +375,18 @@ let wasm_bindgen = (function(exports) {
             let deferred2_0;
             let deferred2_1;
             try {
-                const retptr = wasm.__wbindgen_add_to_stack_pointer(-16) >>> 0;
-                wasm.playground_why(retptr, this.__wbg_ptr, body);
-                var r0 = getDataViewMemory0().getInt32(retptr + 4 * 0, true);
-                var r1 = getDataViewMemory0().getInt32(retptr + 4 * 1, true);
-                var r2 = getDataViewMemory0().getInt32(retptr + 4 * 2, true);
-                var r3 = getDataViewMemory0().getInt32(retptr + 4 * 3, true);
-                var ptr1 = r0;
-                var len1 = r1;
-                if (r3) {
+                const ret = wasm.playground_why(this.__wbg_ptr, body);
+                var ptr1 = ret[0];
+                var len1 = ret[1];
+                if (ret[3]) {
                     ptr1 = 0; len1 = 0;
-                    throw takeFromExternrefTable0(r2);
+                    throw takeFromExternrefTable0(ret[2]);
                 }
                 deferred2_0 = ptr1;
                 deferred2_1 = len1;
                 return getStringFromWasm0(ptr1, len1);
             } finally {
-                wasm.__wbindgen_add_to_stack_pointer(16);
-                wasm.__wbindgen_export4(deferred2_0, deferred2_1, 1);
+                wasm.__wbindgen_free(deferred2_0, deferred2_1, 1);
             }
         }
     }
@@ -573,7 +451,7 @@ let wasm_bindgen = (function(exports) {
         : new FinalizationRegistry(ptr => wasm.__wbg_playground_free(ptr, 1));
 
     function addToExternrefTable0(obj) {
-        const idx = wasm.__wbindgen_export();
+        const idx = wasm.__externref_table_alloc();
         wasm.__wbindgen_externrefs.set(idx, obj);
         return idx;
     }
@@ -581,14 +459,6 @@ let wasm_bindgen = (function(exports) {
     function getArrayF64FromWasm0(ptr, len) {
         ptr = ptr >>> 0;
         return getFloat64ArrayMemory0().subarray(ptr / 8, ptr / 8 + len);
-    }
-
-    let cachedDataViewMemory0 = null;
-    function getDataViewMemory0() {
-        if (cachedDataViewMemory0 === null || cachedDataViewMemory0.buffer.detached === true || (cachedDataViewMemory0.buffer.detached === undefined && cachedDataViewMemory0.buffer !== wasm.memory.buffer)) {
-            cachedDataViewMemory0 = new DataView(wasm.memory.buffer);
-        }
-        return cachedDataViewMemory0;
     }
 
     let cachedFloat64ArrayMemory0 = null;
@@ -669,7 +539,7 @@ let wasm_bindgen = (function(exports) {
 
     function takeFromExternrefTable0(idx) {
         const value = wasm.__wbindgen_externrefs.get(idx);
-        wasm.__wbindgen_export5(idx);
+        wasm.__externref_table_dealloc(idx);
         return value;
     }
 
@@ -699,7 +569,6 @@ let wasm_bindgen = (function(exports) {
         wasmInstance = instance;
         wasm = instance.exports;
         wasmModule = module;
-        cachedDataViewMemory0 = null;
         cachedFloat64ArrayMemory0 = null;
         cachedUint8ArrayMemory0 = null;
         wasm.__wbindgen_start();
