@@ -3,8 +3,8 @@
 const LINE = 18;
 
 export class Editor {
-  /** `changed` is called a moment after the last key. */
-  constructor(root, changed) {
+  /** `typed` is called at every key, `changed` a moment after the last one. */
+  constructor(root, { typed, changed }) {
     this.area = root.querySelector('textarea');
     this.gutter = root.querySelector('.gutter');
     this.list = root.querySelector('.faults');
@@ -14,6 +14,7 @@ export class Editor {
     this.area.addEventListener('input', () => {
       if (this.setting) return;
       this.number();
+      typed();
       clearTimeout(timer);
       timer = setTimeout(changed, 350);
     });

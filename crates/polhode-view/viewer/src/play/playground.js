@@ -69,7 +69,7 @@ export class Playground {
     this.told = null;
     this.asked_at = 0;
     this.count = 0;
-    this.editor = new Editor(byId('editor'), () => this.edited());
+    this.editor = new Editor(byId('editor'), { typed: () => this.keep(), changed: () => this.edited() });
     this.lights = new Lights(byId('panel'));
     this.energies = new Energies(byId('energies'));
     this.distances = new Distances(byId('distances'));
@@ -197,7 +197,6 @@ export class Playground {
   }
 
   edited() {
-    this.keep();
     return this.run({ edited: true });
   }
 
