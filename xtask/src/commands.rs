@@ -49,6 +49,8 @@ pub(crate) const CHECKS: &[Check] = &[
             "polhode-oracles",
             "--exclude",
             "polhode-py",
+            "--exclude",
+            "polhode-web",
             "--no-verify",
             "--offline",
             "--allow-dirty",

@@ -24,6 +24,7 @@
 //! | [`chain_costs`] | the command: the time of a step of chains against their length |
 //! | [`tier_costs`] | the command: the processor time of heaps in the tiers, which the plan estimates |
 //! | [`viewer`] | pages in a real browser |
+//! | [`playground`] | the command: the engine for pages; and what is committed of it, run |
 //! | [`python`] | the Python package: built, installed, tested |
 //! | [`findings`] | what historical and approximate methods are known to err by |
 //! | [`known`] | rows that are known to fail, with the reason |
@@ -44,6 +45,7 @@ mod golden;
 mod house;
 mod known;
 mod narrow_phase;
+mod playground;
 mod python;
 mod schedule;
 mod table;
@@ -80,6 +82,8 @@ enum Task {
     SolveFriction(friction::Options),
     /// Writes stills, document and page of all shipped scenes.
     Gallery(gallery::Options),
+    /// Builds the engine for pages and the scripts of pages, which are committed.
+    Playground,
     /// Writes the licence texts of what a wheel of the Python package contains.
     Licences,
     /// Regenerates the comparison of narrow phases in docs/accuracy-and-cost.md.
@@ -118,6 +122,7 @@ impl Task {
             | Self::ImportRigidIpc(_)
             | Self::Census(_)
             | Self::Gallery(_)
+            | Self::Playground
             | Self::Licences
             | Self::RandomScene(_)
             | Self::JudgeScenes(_)
@@ -138,6 +143,7 @@ fn main() -> ExitCode {
         Task::Cross(options) => verify::workspace_root().and_then(|root| cross::run(&options, &root)),
         Task::SolveFriction(options) => friction::run(&options),
         Task::Gallery(options) => verify::workspace_root().and_then(|root| gallery::run(&options, &root)),
+        Task::Playground => verify::workspace_root().and_then(|root| playground::run(&root)),
         Task::Licences => verify::workspace_root().and_then(|root| python::write_licences(&root)),
         Task::NarrowPhase => verify::workspace_root().and_then(|root| narrow_phase::run(&root)),
         Task::Elastic(options) => verify::workspace_root().and_then(|root| elastic_table::run(&options, &root)),

@@ -11,7 +11,7 @@
 
 use crate::schedule::{self, Step};
 use crate::table::{self, Counts};
-use crate::{book, commands, gallery, golden, house, known, python, viewer};
+use crate::{book, commands, gallery, golden, house, known, playground, python, viewer};
 use clap::Args;
 use polhode_cases::row::Row;
 use polhode_cases::snapshot_environment::in_snapshot_environment;
@@ -125,6 +125,9 @@ fn steps<'a>(options: &Options, root: &'a Path, context: &'a Context, scenes: &'
         let look = if options.bless { viewer::record } else { viewer::check };
         steps.push(Step::new(viewer::NAME, Company::Build, move || look(context)));
     }
+    if !options.bless && selected(playground::NAME) && !options.extent.quick {
+        steps.push(Step::new(playground::NAME, Company::Build, || playground::check(context)));
+    }
     steps
 }
 
@@ -141,7 +144,7 @@ fn names(scenes: &[String]) -> Vec<String> {
         .map(str::to_owned);
     let goldens = scenes.iter().map(|scene| golden::case_name(scene));
     let stills = golden::STILLS.iter().map(golden::GoldenStill::case_name);
-    cases.chain(goldens).chain(stills).chain([viewer::NAME.to_owned()]).collect()
+    cases.chain(goldens).chain(stills).chain([viewer::NAME, playground::NAME].map(str::to_owned)).collect()
 }
 
 fn print(rows: &[Row], options: &Options) -> Result<(), Box<dyn Error>> {

@@ -80,6 +80,9 @@ pub(crate) enum Command {
     /// Shows a scene or a trajectory: an HTML page that plays it, a picture, a moving picture or a model
     #[command(after_help = help::VIEW)]
     View(ViewArgs),
+    /// Writes a page that runs a scene itself: edit it, pull at its bodies, see what a fast method loses
+    #[command(after_help = help::PLAY)]
+    Play(PlayArgs),
     /// Writes a commented scene to begin with
     #[command(after_help = help::NEW)]
     New(NewArgs),
@@ -200,6 +203,24 @@ pub(crate) struct RunOutputArgs {
     /// Threads that compute the islands of a step (tiers stepped and fast); the bits are the same for any number
     #[arg(long, value_name = "N", default_value_t = NonZeroUsize::MIN)]
     pub(crate) threads: NonZeroUsize,
+}
+
+/// Arguments of `play`.
+#[derive(Debug, Args)]
+pub(crate) struct PlayArgs {
+    /// Scene file (TOML) to begin with; `-` reads it from stdin, `example:NAME` is a shipped one. Without it the page
+    /// begins with what was typed in it before, or a small scene
+    #[arg(required_unless_present = "output")]
+    pub(crate) scene: Option<PathBuf>,
+    /// Writes the page to this file (.html): one file with the engine in it, which needs no server
+    #[arg(short, long, value_name = "FILE", required_unless_present = "hash")]
+    pub(crate) output: Option<PathBuf>,
+    /// Opens the page in the browser
+    #[arg(long, requires = "output")]
+    pub(crate) open: bool,
+    /// Prints the strict hash of the scene's run, to compare with that of the page
+    #[arg(long, requires = "scene")]
+    pub(crate) hash: bool,
 }
 
 /// Arguments of `stands`.

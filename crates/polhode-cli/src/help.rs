@@ -45,6 +45,12 @@ Examples:
   polhode stands example:arch --bisect arrays.stone.layout.arch.thickness=0.05..0.2 --digits 3
   polhode stands example:overhang-stack || echo \"it does not stand\"";
 
+pub(crate) const PLAY: &str = "\
+Examples:
+  polhode play scene.toml -o play.html
+  polhode play example:newtons-cradle -o cradle.html
+  polhode play scene.toml --hash";
+
 pub(crate) const DROP: &str = "\
 Examples:
   polhode drop part.stl -n 100 --density 7850 --pictures poses

@@ -35,6 +35,7 @@
 //! | `stands` | the command that says whether bodies stand |
 //! | `drop` | the command that says on which faces a body comes to rest |
 //! | `judge` | the command that judges a trajectory by the laws of a scene |
+//! | `play` | the command that writes a page which runs a scene itself |
 //! | `scene` | loading the scene that a command names |
 //! | `text` | numbers, tables and reports for people |
 //! | `stdout`, `harmless` | writing results; text that does not steer a terminal |
@@ -83,6 +84,7 @@ mod mesh;
 mod mesh_args;
 mod pictures;
 mod plan;
+mod play;
 mod plots;
 mod progress;
 mod quantity_plots;
@@ -145,6 +147,7 @@ fn called(command: &Command, interrupt: &Interrupt) -> Result<(), Failure> {
         Command::Schema => schema(),
         Command::Compare(args) => compare::compare(args, interrupt),
         Command::View(args) => view::view(args, interrupt),
+        Command::Play(args) => play::play(args, interrupt),
         Command::New(args) => examples::new(args),
         Command::Scenes => examples::scenes(),
         Command::Completions(args) => completions(args.shell),

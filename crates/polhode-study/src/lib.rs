@@ -27,6 +27,7 @@
 //! | [`sweep`] | many runs with other values, and what is measured of each |
 //! | [`mod@drop`] | on which faces a body comes to rest, how often, and how hard it is struck |
 //! | [`mod@judge`] | a trajectory of any engine, judged by the laws of a scene |
+//! | [`play`] | a scene that runs while somebody pulls at its bodies, and goes back to any time |
 //! | [`error`] | [`StudyError`] |
 
 pub mod candidate;
@@ -39,6 +40,7 @@ pub mod judge;
 pub mod ladder;
 pub mod law;
 pub mod options;
+pub mod play;
 pub mod reference;
 pub mod source;
 pub mod stands;

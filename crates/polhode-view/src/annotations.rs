@@ -1,8 +1,7 @@
-//! What is written on a picture: overlays with their scales, labels of bodies, the axes of the world, and a bar with
-//! its length.
+//! What is written on a picture: overlays with their scales, labels of bodies, axes and scale.
 //!
-//! The bar is as long as it says in the middle of what is looked at; what is nearer is larger. Arrows of one quantity
-//! have one scale in all frames of a picture: the largest value, rounded up, has the longest arrow.
+//! Arrows of one quantity have one scale in all frames of a picture: the largest value, rounded up, has the longest
+//! arrow.
 
 use crate::camera::Camera;
 use crate::colors;
@@ -11,20 +10,13 @@ use crate::overlay::{Overlay, TouchKind};
 use crate::raster::canvas::{Canvas, Ink, Spot};
 use crate::raster::{Picture, ground, marks};
 use crate::recording::Recording;
+use crate::scale::{Corner, RIM, Scale};
 use polhode::spatial::DVec3;
 
-/// Length of the axes, of the longest arrow and of the bar at the most, as fractions of the picture's height or width.
-const AXES: f64 = 0.055;
+/// Length of the longest arrow as a fraction of the picture's height.
 const LONGEST_ARROW: f64 = 0.2;
-const LONGEST_BAR: f64 = 0.2;
-/// Room at the rim, in rows of letters.
-const RIM: f64 = 7.0;
-/// How much of the plate behind words is seen.
-const PLATE: f64 = 0.8;
 /// Bodies of which names are written at the most.
 const MOST_NAMES: usize = 60;
-/// Colours of the axes x, y and z, sRGB.
-pub(crate) const AXIS_COLORS: [[u8; 3]; 3] = [[0xc8, 0x3c, 0x3c], [0x2f, 0x94, 0x5a], [0x2f, 0x6f, 0xc4]];
 
 /// The largest value of each quantity that has arrows, in all frames.
 #[derive(Debug, Clone, Copy, Default)]
@@ -59,6 +51,8 @@ pub(crate) struct Annotations<'a> {
     pub(crate) bounds: [DVec3; 2],
     pub(crate) overlays: &'a [Overlay],
     pub(crate) largest: Largest,
+    /// Where axes and scale stand.
+    pub(crate) corner: Corner,
 }
 
 /// A line of the legend.
@@ -76,22 +70,20 @@ impl Annotations<'_> {
             keys.extend(self.overlay(&mut canvas, *overlay));
         }
         self.labels(&mut canvas);
-        self.scale(&mut canvas);
+        let has_grid = self.recording.shown().bodies.iter().any(|body| !body.shape.half_spaces.is_empty());
+        let cell_m = has_grid.then(|| ground::spacing_m(self.bounds));
+        Scale { camera: &self.camera, cell_m, corner: self.corner }.draw(&mut canvas);
         legend(&mut canvas, &keys);
     }
 
     /// Where a place is on the picture; nothing where it is behind the camera.
     fn spot(&self, canvas: &Canvas<'_>, place: DVec3) -> Option<Spot> {
-        let seen = self.camera.seen(place);
-        let [width, height] = canvas.size();
-        let focal = self.camera.focal_length_px(height);
-        let is_ahead = seen.z > self.camera.near_m;
-        is_ahead.then(|| [0.5 * width + focal * seen.x / seen.z, 0.5 * height - focal * seen.y / seen.z])
+        self.camera.spot(place, canvas.size())
     }
 
     /// Pixels of a metre in the middle of what is looked at.
     fn pixels_of_metre(&self, canvas: &Canvas<'_>) -> f64 {
-        self.camera.focal_length_px(canvas.size()[1]) / self.camera.distance_m
+        self.camera.pixels_of_metre(canvas.size()[1])
     }
 
     /// Draws an overlay; its lines of the legend.
@@ -207,55 +199,8 @@ impl Annotations<'_> {
         let (width, row) = (canvas.width_of(text), canvas.row_px);
         let left = x - 0.5 * width;
         let corners = [[left - 3.0 * row, y - 6.5 * row], [left + width + 3.0 * row, y + 6.5 * row]];
-        canvas.plate(corners, 3.0 * row, Ink { color: colors::PLATE, opacity: PLATE });
+        canvas.plate(corners, 3.0 * row);
         canvas.words([left, y + 3.0 * row], text, Ink::solid(colors::INK));
-    }
-
-    /// The axes of the world, a bar with its length, and how large a cell of the grid is.
-    fn scale(&self, canvas: &mut Canvas<'_>) {
-        let ([width, height], row) = (canvas.size(), canvas.row_px);
-        let rim = RIM * row;
-        let arm = (AXES * height).max(11.0 * row);
-        let bar_m = ground::round_length(LONGEST_BAR * width / self.pixels_of_metre(canvas));
-        let bar_px = bar_m * self.pixels_of_metre(canvas);
-        let has_grid = self.recording.shown().bodies.iter().any(|body| !body.shape.half_spaces.is_empty());
-        let words = lengths::words(bar_m);
-        let cell = format!("grid {}", lengths::words(ground::spacing_m(self.bounds)));
-        let side = 2.0 * arm + 20.0 * row;
-        let beside = bar_px.max(canvas.width_of(&words)).max(if has_grid { canvas.width_of(&cell) } else { 0.0 });
-        let corners =
-            [[0.5 * rim, height - side - 0.5 * rim], [0.5 * rim + side + beside + 6.0 * row, height - 0.5 * rim]];
-        canvas.plate(corners, 4.0 * row, Ink { color: colors::PLATE, opacity: PLATE });
-        self.axes(canvas, [0.5 * (rim + side) - 4.0 * row, height - 0.5 * (rim + side)], arm);
-        let (left, ink) = (0.5 * rim + side, Ink::solid(colors::INK));
-        let y = height - 0.5 * rim - if has_grid { 17.0 } else { 8.0 } * row;
-        canvas.line([[left, y], [left + bar_px, y]], 1.5 * row, ink);
-        for end in [left, left + bar_px] {
-            canvas.line([[end, y - 3.0 * row], [end, y + 3.0 * row]], 1.5 * row, ink);
-        }
-        canvas.words([left, y - 6.0 * row], &words, ink);
-        if has_grid {
-            canvas.words([left, height - 0.5 * rim - 4.5 * row], &cell, ink);
-        }
-    }
-
-    fn axes(&self, canvas: &mut Canvas<'_>, center: Spot, arm: f64) {
-        let [right, up, forwards] = self.camera.axes;
-        let mut axes: Vec<_> =
-            [DVec3::X, DVec3::Y, DVec3::Z].into_iter().zip(AXIS_COLORS).zip(["x", "y", "z"]).collect();
-        // The farthest first.
-        axes.sort_by(|((a, _), _), ((b, _), _)| b.dot(forwards).total_cmp(&a.dot(forwards)));
-        let row = canvas.row_px;
-        for ((axis, color), name) in axes {
-            let (x, y) = (axis.dot(right), -axis.dot(up));
-            let tip = [center[0] + arm * x, center[1] + arm * y];
-            canvas.arrow([center, tip], 1.5 * row, Ink::solid(color));
-            let length = libm::hypot(x, y);
-            // An axis that points to the camera has its name beside it.
-            let (u, v) = if length > 0.2 { (x / length, y / length) } else { (0.7, 0.7) };
-            let at = [tip[0] + u * 5.0 * row - 2.0 * row, tip[1] + v * 5.0 * row + 3.0 * row];
-            canvas.words(at, name, Ink::solid(color));
-        }
     }
 }
 
@@ -268,7 +213,7 @@ fn legend(canvas: &mut Canvas<'_>, keys: &[Key]) {
     let width = keys.iter().map(|key| canvas.width_of(&key.text)).fold(0.0, f64::max);
     let rim = 0.5 * RIM * row;
     let corners = [[rim, rim], [rim + width + 24.0 * row, rim + line * keys.len() as f64 + 4.0 * row]];
-    canvas.plate(corners, 4.0 * row, Ink { color: colors::PLATE, opacity: PLATE });
+    canvas.plate(corners, 4.0 * row);
     for (number, key) in keys.iter().enumerate() {
         let y = rim + line * (number as f64 + 0.5) + 2.0 * row;
         canvas.line([[rim + 5.0 * row, y], [rim + 15.0 * row, y]], 2.5 * row, Ink::solid(key.color));

@@ -135,6 +135,19 @@ impl Camera {
         0.5 * height_px / libm::tan(0.5 * self.field_of_view_rad)
     }
 
+    /// Pixels that a metre across has where the camera looks at.
+    pub(crate) fn pixels_of_metre(&self, height_px: f64) -> f64 {
+        self.focal_length_px(height_px) / self.distance_m
+    }
+
+    /// Where a place is on a picture of this width and height, across and down; nothing where it is behind the camera.
+    pub(crate) fn spot(&self, place: DVec3, [width, height]: [f64; 2]) -> Option<[f64; 2]> {
+        let seen = self.seen(place);
+        let focal = self.focal_length_px(height);
+        let is_ahead = seen.z > self.near_m;
+        is_ahead.then(|| [0.5 * width + focal * seen.x / seen.z, 0.5 * height - focal * seen.y / seen.z])
+    }
+
     /// A point as it is seen: to the right, up, and how far ahead, m.
     pub fn seen(&self, point: DVec3) -> DVec3 {
         let arm = point - self.eye;

@@ -51,6 +51,13 @@ impl Framing {
         Self { moving, standing, viewpoint }
     }
 
+    /// With the bodies that move as they stand at first, whatever the scene wants held: who watches a motion sees its
+    /// start.
+    pub(crate) fn with_start(mut self, shown: &ShownScene, initial: &[Pose]) -> Self {
+        add_moving(&mut self.moving, shown, shown.moving.iter().filter_map(|&body| initial.get(body)));
+        self
+    }
+
     /// All that is held.
     pub fn extent(&self) -> Extent {
         let mut all = self.standing.clone();

@@ -15,10 +15,11 @@
 //! | [`event_list`], [`series`] | events in words, and quantities over time |
 //! | `error_steps` | estimated errors over time |
 //! | [`page`] | the page writer, which streams while the run goes on |
+//! | [`live`], [`play_page`] | a page that runs a scene itself |
 //! | [`recording`] | poses over time, for pictures and models |
 //! | [`extent`], [`framing`], `planar` | what a picture holds, and whence it is best seen |
 //! | [`fixtures`] | what is drawn of joints, springs and tracks |
-//! | [`overlay`], `annotations` | velocities, forces and paths over a picture; axes, a scale and words on it |
+//! | [`overlay`], `annotations`, `scale` | velocities, forces and paths over a picture; words, axes and a scale on it |
 //! | [`camera`], [`light`], [`raster`] | a software rasteriser with depth, light, shadow and anti-aliasing |
 //! | [`still`], [`animation`] | PNG; GIF, APNG and WebP |
 //! | [`glb`] | animated models as binary glTF |
@@ -39,9 +40,11 @@ pub mod fixtures;
 pub mod framing;
 pub mod glb;
 pub mod light;
+pub mod live;
 pub mod mesh_library;
 pub mod overlay;
 pub mod page;
+pub mod play_page;
 pub mod plot;
 pub mod quanta;
 pub mod raster;
@@ -59,6 +62,7 @@ mod error_steps;
 mod lengths;
 mod penetration;
 mod planar;
+mod scale;
 mod text;
 mod thinning;
 mod turning;

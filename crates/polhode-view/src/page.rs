@@ -5,7 +5,6 @@
 //! over time and events are kept until the end. Layout: the head, the elements of the viewer, the chunks of each run in
 //! order, what is shown as JSON, the report as JSON, the viewer.
 
-use crate::annotations::AXIS_COLORS;
 use crate::camera::{FIELD_OF_VIEW_RAD, MARGIN, PRESETS};
 use crate::chunk::{Chunk, ChunkContact, ChunkDetails, NO_ISLAND};
 use crate::colors;
@@ -18,6 +17,7 @@ use crate::framing::{Framing, add_moving, frames_looked_at};
 use crate::light::Light;
 use crate::mesh_library::MeshLibrary;
 use crate::quanta::Quanta;
+use crate::scale::AXIS_COLORS;
 use crate::series::Series;
 use crate::shown_body::JointEnd;
 use crate::shown_scene::ShownScene;
@@ -398,7 +398,7 @@ pub(crate) fn described(shown: &ShownScene, reach: Extent, initial: &[Pose]) -> 
         "fixtures": shown.fixtures.parts.iter().map(fixture_json).collect::<Vec<_>>(),
         "links": shown.fixtures.links.iter().map(link_json).collect::<Vec<_>>(),
         "initial": initial.iter().map(pose_json).collect::<Vec<_>>(),
-        "frame": frame_json(&Framing::new(shown, reach, initial)),
+        "frame": frame_json(&Framing::new(shown, reach, initial).with_start(shown, initial)),
     })
 }
 

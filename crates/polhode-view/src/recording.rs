@@ -237,7 +237,7 @@ impl Recording {
 
     /// What a camera holds in all frames.
     pub fn framing(&self) -> Framing {
-        self.framing_of(0..self.poses.len())
+        self.framing_of(0..self.poses.len()).with_start(&self.shown, &self.initial)
     }
 
     /// What a camera holds in one frame: the bodies as they stand then; where they are too small to be seen beside the

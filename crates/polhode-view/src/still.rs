@@ -7,6 +7,7 @@ use crate::light::Light;
 use crate::overlay::Overlay;
 use crate::raster::{Marks, Picture, PictureSize, SceneTriangles, draw};
 use crate::recording::Recording;
+use crate::scale::Corner;
 use polhode::spatial::DVec3;
 use std::io::Write;
 
@@ -46,7 +47,8 @@ pub fn still_with(
     let (camera, bounds) = (framing.camera(viewpoint, size.aspect())?, framing.bounds());
     let mut picture = frame_from(recording, frame, camera, bounds, size);
     let largest = Largest::of(recording, frame..frame + 1);
-    Annotations { recording, frame, camera, bounds, overlays, largest }.draw(&mut picture);
+    let corner = Corner::freest(recording, frame..frame + 1, &camera, size.aspect());
+    Annotations { recording, frame, camera, bounds, overlays, largest, corner }.draw(&mut picture);
     Ok(picture)
 }
 

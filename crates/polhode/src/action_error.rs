@@ -52,6 +52,14 @@ pub enum ActionError {
         /// Why.
         source: MotionError,
     },
+    /// No body has a material of this name.
+    #[error("no body has the material `{name}`: the materials of the bodies are {known}")]
+    UnknownMaterial {
+        /// The name.
+        name: String,
+        /// Those that there are.
+        known: String,
+    },
     /// A number is not finite.
     #[error("{what} of body {body} has a component that is not finite: finite numbers are needed")]
     NotFinite {

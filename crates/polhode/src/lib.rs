@@ -188,6 +188,7 @@ pub use report::ledger::Ledger;
 pub use report::momentum_ledger::{Momentum, MomentumLedger, MomentumSum};
 pub use report::observer::{Flow, Observer, Recorder, Unobserved};
 pub use report::run_error::{BodyError, LargestError, ReferenceKind, ReferenceReport, RunError};
+pub use report::run_hash::{RunHash, RunHashPlace};
 pub use report::run_report::{
     BrokenPromise, Certificate, CrowdedStretch, Occurrence, Outcome, PairAt, PlanChange, ReportedBody, RunReport,
 };

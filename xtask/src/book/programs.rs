@@ -27,8 +27,8 @@ fn passed(printed: &str) -> usize {
     numbers.sum()
 }
 
-/// Builds the book where mdbook is installed.
-pub(super) fn mdbook(case: &str, root: &Path) -> Result<Row, Box<dyn Error>> {
+/// Builds the book where mdbook is installed, with a playground beside its pages.
+pub(super) fn mdbook(case: &str, root: &Path, program: &Path) -> Result<Row, Box<dyn Error>> {
     let quantity = "the book is built by mdbook";
     let mut version = Command::new("mdbook");
     if version.arg("--version").stdin(Stdio::null()).output().is_err() {
@@ -40,9 +40,25 @@ pub(super) fn mdbook(case: &str, root: &Path) -> Result<Row, Box<dyn Error>> {
     if complains || !output.status.success() {
         eprintln!("{printed}");
     }
+    if output.status.success() {
+        write_playground(root, program)?;
+    }
     let measured = if complains { "warnings".to_owned() } else { output.status.to_string() };
     Ok(Row::exact(case, quantity, "exit status: 0", measured))
 }
+
+/// Writes the playground beside the pages of the book.
+fn write_playground(root: &Path, program: &Path) -> Result<(), Box<dyn Error>> {
+    let page = root.join(BOOK).join("book/playground.html");
+    let output = Command::new(program).args(["play", "-o"]).arg(&page).stdin(Stdio::null()).output()?;
+    if output.status.success() {
+        return Ok(());
+    }
+    Err(format!("polhode play: {}: {}", output.status, String::from_utf8_lossy(&output.stderr)).into())
+}
+
+/// Where mdbook builds the book (docs/book.toml).
+const BOOK: &str = "target/book";
 
 #[cfg(test)]
 mod tests {

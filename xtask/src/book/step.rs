@@ -51,7 +51,7 @@ fn rows(context: &Context, names: &[String]) -> CaseResult {
     rows.push(judged(&format!("{count} links of all documents lead somewhere"), &broken));
     let (faults, count) = selections::of_nothing(&documents, names);
     rows.push(judged(&format!("{count} selections of cases in all documents select some"), &faults));
-    rows.push(programs::mdbook(NAME, root)?);
+    rows.push(programs::mdbook(NAME, root, program)?);
     Ok(rows)
 }
 

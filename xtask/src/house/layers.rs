@@ -43,6 +43,7 @@ const LAYERS: &[Layer] = &[
         may_use: &["polhode", "polhode-elastic", "polhode-scene", "polhode-study", "polhode-view"],
     },
     Layer { name: "polhode-py", may_use: &["polhode", "polhode-scene", "polhode-study", "polhode-view", "one-build"] },
+    Layer { name: "polhode-web", may_use: &["polhode", "polhode-scene", "polhode-study", "polhode-view"] },
     Layer { name: "one-build", may_use: &[] },
     Layer { name: "strict-hash", may_use: &["polhode", "polhode-scene"] },
     Layer { name: "polhode-oracles", may_use: &["polhode-spatial", "polhode", "polhode-scene"] },

@@ -19,4 +19,5 @@ mod node;
 mod pages;
 mod step;
 
+pub(crate) use node::Node;
 pub(crate) use step::{NAME, check, record};

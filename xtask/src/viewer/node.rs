@@ -13,7 +13,7 @@ const INSTALL_BROWSER: &str =
 
 /// Node, with the packages of the viewer.
 #[derive(Debug)]
-pub(super) struct Node {
+pub(crate) struct Node {
     folder: PathBuf,
 }
 
@@ -22,7 +22,7 @@ impl Node {
     ///
     /// # Errors
     /// Why that is not possible here, and what to install.
-    pub(super) fn with_packages(root: &Path) -> Result<Self, String> {
+    pub(crate) fn with_packages(root: &Path) -> Result<Self, String> {
         let node = Self { folder: root.join(FOLDER) };
         for program in ["node", "npm"] {
             let runs = node.succeeds(program, &["--version"]);
@@ -47,13 +47,13 @@ impl Node {
     ///
     /// # Errors
     /// That there is none, and what to install.
-    pub(super) fn browser(&self) -> Result<PathBuf, String> {
+    pub(crate) fn browser(&self) -> Result<PathBuf, String> {
         let found = self.succeeds("node", &["test/chromium.mjs"]);
         found.map(|place| PathBuf::from(place.trim())).map_err(|_| format!("there is no browser: {INSTALL_BROWSER}"))
     }
 
     /// A command that runs a script of the viewer.
-    pub(super) fn script(&self, script: &str) -> Command {
+    pub(crate) fn script(&self, script: &str) -> Command {
         let mut command = self.command("node");
         command.arg(script);
         command

@@ -17,6 +17,7 @@ mod judge;
 mod mechanisms;
 mod mesh;
 mod plan;
+mod play;
 mod plots;
 mod report;
 mod resume;

@@ -27,13 +27,13 @@ use super::colours::{Colours, GROUPS, NO_COLOUR};
 use super::joint::{ImpulseJoint, JointLaw, JointRow};
 use super::joint_batch::{self, JointBatch, LaneImpulse, LaneRow};
 use super::joint_trees::JointTrees;
-use super::lanes::{FOUR, Four};
+use super::lanes::{FOUR, Four, Fours};
 use super::stages::{LAST_BOUNCE, MOST_PASSES};
 use super::sweep::SweepRule;
 use super::{LaneWidth, SequentialImpulses};
 use crate::law::MOST_ROWS;
 use polhode_spatial::DVec3;
-use wide::{f64x2, f64x4};
+use wide::f64x2;
 
 /// Kinds of batches of one colour: limits, and joints by their number of rows, those that close loops and those of
 /// trees.
@@ -77,7 +77,7 @@ macro_rules! in_lanes {
     ($width:expr, $($kernel:ident)::+, $($argument:expr),+) => {
         match $width {
             LaneWidth::Two => $($kernel)::+::<f64x2>($($argument),+),
-            LaneWidth::Four => $($kernel)::+::<f64x4>($($argument),+),
+            LaneWidth::Four => $($kernel)::+::<Fours>($($argument),+),
         }
     };
 }

@@ -5,7 +5,9 @@
 //! bits are the same for every width and on every platform. Source: docs/REFERENCES.md, Catto 2024 (wide contacts).
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
-use wide::{f64x2, f64x4};
+use wide::f64x2;
+#[cfg(not(target_arch = "wasm32"))]
+use wide::f64x4;
 
 /// How many contacts are stored side by side.
 pub(super) const FOUR: usize = 4;
@@ -14,6 +16,13 @@ pub(super) const FOUR: usize = 4;
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 #[repr(C, align(32))]
 pub(super) struct Four(pub(super) [f64; FOUR]);
+
+/// Lanes of the width four. On WebAssembly, whose registers hold two numbers, it is two twos: the same bits, and half
+/// of the code.
+#[cfg(not(target_arch = "wasm32"))]
+pub(super) type Fours = f64x4;
+#[cfg(target_arch = "wasm32")]
+pub(super) type Fours = f64x2;
 
 /// An array whose entries are found by their places, in registers: the standard one makes a call for each entry of a
 /// large kernel. `none` fills it before.
@@ -114,6 +123,7 @@ impl Lanes for f64x2 {
     }
 }
 
+#[cfg(not(target_arch = "wasm32"))]
 impl Lanes for f64x4 {
     const WIDTH: usize = 4;
 

@@ -94,9 +94,10 @@ pub use sweep::{Softness, SweepOrder, SweepRule, SweepStage};
 pub use works::Works;
 
 use batch::Batches;
+use lanes::Fours;
 use stages::Bouncing;
 use sweep::Sweep;
-use wide::{f64x2, f64x4};
+use wide::f64x2;
 
 /// How many contacts an instruction works on. It changes the time, and no bit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -178,7 +179,7 @@ impl SequentialImpulses {
         let Batches { list: batches, points, .. } = &mut self.batches;
         match self.width {
             LaneWidth::Two => stages::prepare::<f64x2>(bodies, batches, points),
-            LaneWidth::Four => stages::prepare::<f64x4>(bodies, batches, points),
+            LaneWidth::Four => stages::prepare::<Fours>(bodies, batches, points),
         }
     }
 
@@ -188,7 +189,7 @@ impl SequentialImpulses {
         let Batches { list: batches, points, .. } = &self.batches;
         match self.width {
             LaneWidth::Two => stages::warm_start::<f64x2>(&mut self.bodies, batches, points),
-            LaneWidth::Four => stages::warm_start::<f64x4>(&mut self.bodies, batches, points),
+            LaneWidth::Four => stages::warm_start::<Fours>(&mut self.bodies, batches, points),
         }
     }
 
@@ -210,7 +211,7 @@ impl SequentialImpulses {
         let by = (colliding, &bouncing);
         match self.width {
             LaneWidth::Two => stages::part_again::<f64x2>(&mut self.bodies, batches, points, by),
-            LaneWidth::Four => stages::part_again::<f64x4>(&mut self.bodies, batches, points, by),
+            LaneWidth::Four => stages::part_again::<Fours>(&mut self.bodies, batches, points, by),
         }
     }
 
@@ -227,7 +228,7 @@ impl SequentialImpulses {
         let Batches { list: batches, points, .. } = &mut self.batches;
         match self.width {
             LaneWidth::Two => sweep::sweep::<f64x2>(&mut self.bodies, batches, points, sweep),
-            LaneWidth::Four => sweep::sweep::<f64x4>(&mut self.bodies, batches, points, sweep),
+            LaneWidth::Four => sweep::sweep::<Fours>(&mut self.bodies, batches, points, sweep),
         }
     }
 
@@ -255,7 +256,7 @@ impl SequentialImpulses {
                 let parts = (&mut points[..], &mut self.memory[..]);
                 match self.width {
                     LaneWidth::Two => conjugate::step::<f64x2>(&mut self.bodies, batches, parts, b),
-                    LaneWidth::Four => conjugate::step::<f64x4>(&mut self.bodies, batches, parts, b),
+                    LaneWidth::Four => conjugate::step::<Fours>(&mut self.bodies, batches, parts, b),
                 }
             } else {
                 conjugate::start_again(&mut self.memory);
@@ -269,7 +270,7 @@ impl SequentialImpulses {
         let Batches { list: batches, points, .. } = &mut self.batches;
         match self.width {
             LaneWidth::Two => stages::end::<f64x2>(&self.bodies, batches, points, rule.colliding),
-            LaneWidth::Four => stages::end::<f64x4>(&self.bodies, batches, points, rule.colliding),
+            LaneWidth::Four => stages::end::<Fours>(&self.bodies, batches, points, rule.colliding),
         }
     }
 
@@ -278,7 +279,7 @@ impl SequentialImpulses {
         let Batches { list: batches, points, .. } = &self.batches;
         match self.width {
             LaneWidth::Two => residual::residual::<f64x2>(&self.bodies, batches, points, rule),
-            LaneWidth::Four => residual::residual::<f64x4>(&self.bodies, batches, points, rule),
+            LaneWidth::Four => residual::residual::<Fours>(&self.bodies, batches, points, rule),
         }
     }
 

@@ -7,6 +7,7 @@ use crate::framing::Framing;
 use crate::overlay::Overlay;
 use crate::raster::{Picture, PictureSize};
 use crate::recording::Recording;
+use crate::scale::Corner;
 use crate::still::frame_from;
 use polhode::Flow;
 use std::fmt;
@@ -95,13 +96,14 @@ impl<'a> Pace<'a> {
         let ms = |t: f64| (1000.0 * t).round() as u32;
         let (recording, camera, bounds) = (self.recording, self.camera, self.framing.bounds());
         let (overlays, largest) = (self.overlays, Largest::of(recording, 0..times.len()));
+        let corner = Corner::freest(recording, 0..times.len(), &camera, self.size.aspect());
         (0..times.len()).map(move |frame| {
             if self.watcher.is_some_and(|Watcher(told)| told(frame) == Flow::Stop) {
                 return Err(ViewError::Stopped { drawn: frame, frames: times.len() });
             }
             let shown = times.get(frame + 1).map_or(LAST_MS, |&next| ms(next).saturating_sub(ms(times[frame])));
             let mut picture = frame_from(recording, frame, camera, bounds, self.size);
-            Annotations { recording, frame, camera, bounds, overlays, largest }.draw(&mut picture);
+            Annotations { recording, frame, camera, bounds, overlays, largest, corner }.draw(&mut picture);
             Ok((picture, shown.max(LEAST_MS)))
         })
     }

@@ -2,6 +2,7 @@
 
 use super::glyphs::{self, ADVANCE, BASE, ROWS};
 use super::picture::Picture;
+use crate::colors;
 
 /// A place on a picture: pixels across and down.
 pub type Spot = [f64; 2];
@@ -11,6 +12,9 @@ const STROKE: f64 = 1.15;
 /// Rows of a letter in a picture of a row of pixels, and the least size of a row, pixels.
 const ROW: f64 = 1.0 / 480.0;
 const LEAST_ROW_PX: f64 = 1.0;
+
+/// How much of the plate behind words is seen.
+const PLATE: f64 = 0.8;
 
 /// How a thing is painted.
 #[derive(Debug, Clone, Copy)]
@@ -86,8 +90,9 @@ impl<'a> Canvas<'a> {
         self.line([center, center], 2.0 * radius, ink);
     }
 
-    /// A plate with round corners between two corners.
-    pub fn plate(&mut self, [low, high]: [Spot; 2], round: f64, ink: Ink) {
+    /// A plate with round corners between two corners, on which words are read.
+    pub fn plate(&mut self, [low, high]: [Spot; 2], round: f64) {
+        let ink = Ink { color: colors::PLATE, opacity: PLATE };
         let inner = |value: f64, low: f64, high: f64| value.clamp(low + round, (high - round).max(low + round));
         self.paint([low, high], ink, |[x, y]| {
             let (dx, dy) = (x - inner(x, low[0], high[0]), y - inner(y, low[1], high[1]));

@@ -4,6 +4,11 @@
 // |y - ey| <= ty (z - ez). With R = max(x - tx z) and L = max(-x - tx z) over the points, ez <= -(R + L) / (2 tx), and
 // ex = (R - L) / 2 puts the camera where both sides are as near; the same up and down. The smaller ez is taken.
 
+import { matrixOf, turn } from './rotation.js';
+
+/** Radius in m of a body of which no bounding box is known. */
+const UNKNOWN_RADIUS = 0.5;
+
 /** What page and picture have in common when the page does not say it. */
 export const LOOK = {
   field_of_view_rad: 0.6,
@@ -50,11 +55,41 @@ export function boundsOf(points) {
 export const cornersOf = (box) =>
   Array.from({ length: 8 }, (_, corner) => [0, 1, 2].map((k) => box[(corner >> k) & 1][k]));
 
+/** The largest distance of a corner of a body's box (in its own frame) from the body's place, m. */
+export function radiusOf({ box }) {
+  if (!box) return UNKNOWN_RADIUS;
+  return Math.hypot(...[0, 1, 2].map((k) => Math.max(Math.abs(box[0][k]), Math.abs(box[1][k]))));
+}
+
 /** The middle of the box around points. */
 export const middleOf = (points) => {
   const [low, high] = boundsOf(points);
   return low.map((value, k) => (value + high[k]) / 2);
 };
+
+/** The points of a run that its first picture holds: what pictures hold too, or the corners of the bodies as they stand. */
+export function framed(run, poses) {
+  const points = run.frame ? [...run.frame.moving, ...run.frame.standing] : [];
+  return points.length > 0 ? points : cornersNow(run, poses, run.bodies.map((_, body) => body));
+}
+
+/** The points that a picture of now holds: corners of the bodies that move, and what else is held. */
+export function framedNow(run, poses) {
+  const { frame, moving } = run;
+  const points = [...cornersNow(run, poses, moving), ...(frame && frame.moving.length > 0 ? frame.standing : [])];
+  return points.length > 0 ? points : framed(run, poses);
+}
+
+/** The corners of the boxes of bodies as they stand now. */
+function cornersNow(run, poses, bodies) {
+  const turned = new Float64Array(9);
+  return bodies.flatMap((body) => {
+    const { box, opacity } = run.bodies[body];
+    if (!box || opacity === 0) return [];
+    matrixOf(poses, 7 * body + 3, turned);
+    return cornersOf(box).map((own) => turn(turned, own).map((value, k) => value + poses[7 * body + k]));
+  });
+}
 
 /**
  * Where the camera stands and what it looks at, { eye, target, distance }: from `from`, so near that all points lie within

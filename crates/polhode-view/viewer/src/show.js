@@ -49,6 +49,14 @@ export function readShow(notices) {
   };
 }
 
+/** Reads a scene that is not in the page from its start, and has no frames. */
+export function readScene(show) {
+  const meshes = show.meshes.map(readMesh);
+  const run = readRun(show.runs[0], 0, meshes.length, []);
+  const { title, description, gravity } = show;
+  return { title, description, gravity, look: { ...LOOK, ...show.look }, meshes, runs: [run] };
+}
+
 /** The text of the JSON report, or null where the page has none. */
 export function reportText() {
   const text = blockText('polhode-report')?.trim();

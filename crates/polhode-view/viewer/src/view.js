@@ -5,7 +5,7 @@ import { ArrowScale } from './arrows.js';
 import { Bodies } from './bodies.js';
 import { SELECTED_COLOUR } from './colours.js';
 import { Dots } from './dots.js';
-import { boundsOf, cornersOf } from './framing.js';
+import { boundsOf, framed, framedNow, radiusOf } from './framing.js';
 import { Frames } from './frames.js';
 import { Ground } from './ground.js';
 import { Halos } from './halos.js';
@@ -14,11 +14,7 @@ import { Joints } from './joints.js';
 import { quantile } from './numbers.js';
 import { cubeEdges, placeBox } from './overlays/boxes.js';
 import { OVERLAYS } from './overlays/index.js';
-import { matrixOf, turn } from './rotation.js';
 import { Snapshot } from './snapshot.js';
-
-/** Radius in m of a body of which no bounding box is known. */
-const UNKNOWN_RADIUS = 0.5;
 
 /** How far the mark of the followed body stands off it, in radii of the body. */
 const MARK_ROOM = 0.05;
@@ -39,9 +35,9 @@ export class View {
     this.followed = null;
     this.group = new Group();
     this.overlays = new Map();
-    this.radiusOf = (body) => radiusOfBox(run.bodies[body].box);
+    this.radiusOf = (body) => radiusOf(run.bodies[body]);
     const movers = run.moving.filter((body) => run.bodies[body].box);
-    this.size = quantile(movers.map(this.radiusOf), 0.5) ?? UNKNOWN_RADIUS;
+    this.size = quantile(movers.map(this.radiusOf), 0.5) ?? radiusOf({});
     this.selected = instancedLines(
       cubeEdges(),
       new LineBasicMaterial({ color: SELECTED_COLOUR, depthTest: false, transparent: true }),
@@ -132,39 +128,17 @@ export class View {
     this.update();
   }
 
-  /** The points that the first picture holds: what pictures hold too, or the corners of the bodies as they stand. */
+  /** The points that the first picture holds. */
   framed() {
-    const { frame } = this.run;
-    const points = frame ? [...frame.moving, ...frame.standing] : [];
-    return points.length > 0 ? points : this.cornersNow(this.run.bodies.map((_, body) => body));
+    return framed(this.run, this.snapshot.poses);
   }
 
-  /** The points that a picture of now holds: corners of the bodies that move, and what else is held. */
+  /** The points that a picture of now holds. */
   framedNow() {
-    const { frame, moving } = this.run;
-    const points = [...this.cornersNow(moving), ...(frame && frame.moving.length > 0 ? frame.standing : [])];
-    return points.length > 0 ? points : this.framed();
-  }
-
-  /** The corners of the boxes of bodies as they stand now. */
-  cornersNow(bodies) {
-    const { run, snapshot } = this;
-    const turned = new Float64Array(9);
-    return bodies.flatMap((body) => {
-      const { box, opacity } = run.bodies[body];
-      if (!box || opacity === 0) return [];
-      matrixOf(snapshot.poses, 7 * body + 3, turned);
-      return cornersOf(box).map((own) => turn(turned, own).map((value, k) => value + snapshot.poses[7 * body + k]));
-    });
+    return framedNow(this.run, this.snapshot.poses);
   }
 
   placeOf(body) {
     return new Vector3(...this.snapshot.centreOf(body));
   }
-}
-
-/** The largest distance of a corner of a box in the body's frame from the body's place. */
-function radiusOfBox(box) {
-  if (!box) return UNKNOWN_RADIUS;
-  return Math.hypot(...[0, 1, 2].map((k) => Math.max(Math.abs(box[0][k]), Math.abs(box[1][k]))));
 }

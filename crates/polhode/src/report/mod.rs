@@ -13,6 +13,7 @@
 //! | `body_sample`, `acceleration` | a body at one time |
 //! | `contact_sample` | a contact at one time, and what of its forces is not unique |
 //! | `joint_sample`, `joint_efforts` | a joint at one time; what acts along its coordinates, by cause |
+//! | `run_hash` | [`RunHash`](crate::RunHash): the strict hash of a run, taken while it goes on |
 //! | `springs` | [`SpringReport`](crate::SpringReport): the springs of a run by tier `penalty` |
 
 pub(crate) mod acceleration;
@@ -28,5 +29,6 @@ pub mod ledger;
 pub mod momentum_ledger;
 pub mod observer;
 pub mod run_error;
+pub(crate) mod run_hash;
 pub mod run_report;
 pub(crate) mod springs;

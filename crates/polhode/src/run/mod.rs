@@ -6,6 +6,7 @@
 //! | `engines` | the engines of the tiers, begun and restored |
 //! | `start_overlap` | bodies that overlap at the start: refused, or moved apart |
 //! | `actions` | what a program does to bodies and joints |
+//! | `surfaces` | friction and restitution that a program changes |
 //! | `steering` | kinematic bodies that a program steers |
 //! | `stability` | [`Stability`](crate::Stability): how far bodies at rest are from moving |
 //! | `evaluation` | [`Evaluation`](crate::Evaluation): a scene in states that somebody else gives |
@@ -30,4 +31,5 @@ mod singular_force;
 pub mod stability;
 mod start_overlap;
 pub(crate) mod steering;
+mod surfaces;
 mod tell_errors;

@@ -244,6 +244,18 @@ impl Scene {
         if body.index() < self.bodies.len() { Ok(()) } else { Err(SceneError::UnknownBody(body.index())) }
     }
 
+    /// Gives the bodies of the material of this name this one; their numbers.
+    pub(crate) fn replace_material(&mut self, material: &Material) -> Vec<usize> {
+        let mut replaced = Vec::new();
+        for (number, body) in self.bodies.iter_mut().enumerate() {
+            if body.material.name() == material.name() {
+                body.material = material.clone();
+                replaced.push(number);
+            }
+        }
+        replaced
+    }
+
     /// Friction and restitution of a pair of bodies by their numbers.
     pub(crate) fn pair_material(&self, a: usize, b: usize) -> Material {
         let (ma, mb) = (&self.bodies[a].material, &self.bodies[b].material);

@@ -60,6 +60,16 @@ impl Scene {
         self.check_springs_in(self.method.named_tier().unwrap_or_default())
     }
 
+    /// Checks that the tier has the materials, which a program has changed.
+    ///
+    /// # Errors
+    /// As [`SceneBuilder::build`].
+    pub(crate) fn check_materials(&self) -> Result<(), SceneError> {
+        self.check_grains()?;
+        self.check_surfaces()?;
+        self.check_springs_in(self.method.named_tier().unwrap_or_default())
+    }
+
     /// Takes a joint that a program adds to a simulation by this tier, between bodies as they are then. Returns it at
     /// its place: of a track on it.
     ///
