@@ -11,14 +11,16 @@
 //! | `reading` | [`Reading`]: how a number is read out of runs |
 //! | `runs` | runs of a shipped scene with some of its values changed |
 //! | `limit` | at which value of a key a scene changes |
+//! | `modes` | exponents of small disturbances |
 //! | `throws` | shares of random throws |
-//! | `own` | readings that no scene file can say |
+//! | `own` | readings that are no quantity of the scene format |
 //! | `record` | [`Record`]: what was found last |
 //! | `check` | the rows of an entry |
 
 mod check;
 mod entry;
 mod limit;
+mod modes;
 mod own;
 mod published;
 mod reading;

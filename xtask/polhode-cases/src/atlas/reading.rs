@@ -1,9 +1,10 @@
 //! How a number is read out of runs.
 
 use super::limit::Limit;
+use super::modes::Modes;
 use super::runs::{Moves, SceneRun};
 use super::throws::Landings;
-use super::{limit, own, runs, throws};
+use super::{limit, modes, own, runs, throws};
 use crate::cases::{ALL, Context};
 use crate::row::Value;
 use serde::Deserialize;
@@ -32,11 +33,13 @@ pub enum Read {
     Moves(Moves),
     /// At which value of a key a scene changes.
     Limit(Limit),
+    /// How small disturbances grow or die away.
+    Modes(Modes),
     /// How often a thrown body comes to rest on its faces.
     Landings(Landings),
     /// A row of a case of `cargo xtask verify`.
     Case(CaseRow),
-    /// What no scene file can say: see the module of that name.
+    /// What is no quantity of the scene format: see the module of that name.
     Own(String),
 }
 
@@ -60,10 +63,11 @@ impl Reading {
     pub(super) fn values(&self, context: &Context) -> Result<Vec<Value>, Box<dyn Error>> {
         match &self.read {
             Read::Case(row) => row.values(context),
-            Read::Own(name) => own::values(name, context),
+            Read::Own(name) => own::values(name, &self.run(context)?),
             Read::Measure(measures) => runs::measured(&self.run(context)?, measures),
             Read::Moves(moves) => runs::moved(&self.run(context)?, moves),
             Read::Limit(limit) => limit::found(&self.run(context)?, limit).map(|value| vec![value]),
+            Read::Modes(modes) => modes::found(&self.run(context)?, modes),
             Read::Landings(landings) => throws::shares(&self.run(context)?, landings),
         }
     }
@@ -82,14 +86,14 @@ impl Reading {
                 let measures: String = measures.iter().map(|measure| format!(" --measure '{measure}'")).collect();
                 format!("polhode sweep example:{scene}{set} --vary method.error=off{measures}")
             }
-            Read::Moves(_) => format!("polhode run example:{scene}{set}"),
+            Read::Moves(_) | Read::Modes(_) | Read::Own(_) => format!("polhode run example:{scene}{set}"),
             Read::Limit(limit) if limit.is_of_statics() => {
                 format!("polhode stands example:{scene}{set} --bisect {}", limit.interval())
             }
             Read::Limit(limit) => limit.command(scene, &set),
             Read::Landings(landings) => format!("polhode drop example:{scene}{set} -n {}", landings.throws),
             Read::Case(row) => format!("cargo xtask verify --only \"{}\"", row.case),
-            Read::Own(_) => String::new(),
+
         }
     }
 }

@@ -61,7 +61,7 @@ mod list;
 mod long_runs;
 mod mass_properties;
 mod mesh_program;
-mod motion;
+pub(crate) mod motion;
 mod numerical_loss;
 mod one_dependency;
 mod orders_in_contact;
