@@ -3,7 +3,7 @@
 use super::page::{self, DOCUMENT};
 use crate::verify::EXIT_FAILED;
 use clap::Args;
-use polhode_cases::atlas::{Entry, Record, groups, measure};
+use polhode_cases::atlas::{Entry, Record, groups, measure, peer_runs};
 use polhode_cases::row::Value;
 use polhode_cases::{Amount, Context};
 use std::error::Error;
@@ -56,7 +56,7 @@ pub(crate) fn run(options: &Options, root: &Path) -> Result<ExitCode, Box<dyn Er
         record.found.retain(|name, _| groups.iter().flat_map(|group| &group.entries).any(|entry| entry.name == *name));
         record.write(root)?;
     }
-    fs::write(root.join(DOCUMENT), page::text(&groups, &record))?;
+    fs::write(root.join(DOCUMENT), page::text(&groups, &record, &peer_runs(root)?))?;
     println!("{} entries, {wrong} whose numbers are not those recorded; {DOCUMENT} is written", entries.len());
     Ok(if wrong > 0 { ExitCode::from(EXIT_FAILED) } else { ExitCode::SUCCESS })
 }

@@ -1,7 +1,7 @@
 //! The page: a table of all entries, and each with its picture, digits, source and command.
 
 use crate::golden::short_number;
-use polhode_cases::atlas::{Entry, Group, Peer, Published, Record};
+use polhode_cases::atlas::{Entry, Group, PeerRun, Published, Record};
 use polhode_cases::row::Value;
 use std::fmt::Write as _;
 
@@ -20,12 +20,12 @@ program `polhode`, or the case of `cargo xtask verify` that measures it. The sou
 ";
 
 /// The page.
-pub(super) fn text(groups: &[Group], record: &Record) -> String {
+pub(super) fn text(groups: &[Group], record: &Record, peers: &[PeerRun]) -> String {
     let entries: Vec<&Entry> = groups.iter().flat_map(|group| &group.entries).collect();
     let numbers: usize = entries.iter().map(|entry| entry.quantities.len()).sum();
     let mut text = INTRODUCTION.to_owned();
     let _ = write!(text, "\n{} results, {numbers} numbers.\n", entries.len());
-    text.push_str(&others(&entries, record));
+    text.push_str(&others(&entries, peers));
     text.push_str("\n## All of them\n\n| result | published | polhode | error |\n|---|---|---|---|\n");
     for entry in &entries {
         let lines = lines(entry, record);
@@ -38,41 +38,57 @@ pub(super) fn text(groups: &[Group], record: &Record) -> String {
     for group in groups {
         let _ = write!(text, "\n## {}\n\n{}\n", group.title, group.about);
         for entry in &group.entries {
-            text.push_str(&section(entry, record));
+            text.push_str(&section(entry, record, peers));
         }
     }
     text
 }
 
-/// Rows in which other engines are nearer come first.
-fn others(entries: &[&Entry], record: &Record) -> String {
+/// Results in which other engines are nearer come first.
+fn others(entries: &[&Entry], peers: &[PeerRun]) -> String {
     let with: Vec<&&Entry> = entries.iter().filter(|entry| !entry.peers.is_empty()).collect();
-    if with.is_empty() {
-        return String::new();
-    }
     let mut text = "\n## Where other engines are nearer\n\n".to_owned();
-    let mut nearer = Vec::new();
-    for entry in &with {
-        for peer in &entry.peers {
-            if worst(entry, &peer_values(peer)) < worst(entry, record.found.get(&entry.name).map_or(&[], Vec::as_slice)) {
-                nearer.push(format!("- [{}](#{}): {}\n", entry.title, anchor(&entry.title), peer.engine));
-            }
+    let mut nearer = String::new();
+    for (entry, scene) in with.iter().flat_map(|entry| entry.peers.iter().map(move |scene| (entry, scene))) {
+        let runs = || peers.iter().filter(move |run| run.scene == *scene);
+        let own = runs().find(|run| run.is_most_accurate_own()).and_then(PeerRun::number).unwrap_or(f64::INFINITY);
+        for run in runs().filter(|run| !run.is_own() && run.number().is_some_and(|error| error < own)) {
+            let _ = writeln!(
+                nearer,
+                "- [{}](#{}): {}, {} where polhode is {own:.1e} off",
+                entry.title,
+                anchor(&entry.title),
+                run.engine,
+                run.error
+            );
         }
     }
     if nearer.is_empty() {
-        let _ = writeln!(text, "In none of the {} results that other engines were run on.", with.len());
+        let _ = writeln!(
+            text,
+            "In none of the {} results below that other engines were run on, with the tier `accurate`. Where the other tiers of \
+             polhode are farther off than they, and where others take less time, [Beside other engines](peers.md) says first. \
+             On the others no engine but this one was run.",
+            with.len()
+        );
     }
-    text + &nearer.concat()
+    text + &nearer
 }
 
-fn peer_values(peer: &Peer) -> Vec<Value> {
-    peer.found.iter().map(|&number| Value::Number(number)).collect()
-}
-
-/// The largest distance from what was published; infinite where there are no numbers.
-fn worst(entry: &Entry, found: &[Value]) -> f64 {
-    let errors = entry.published.iter().zip(found).filter_map(|(published, found)| published.error(found));
-    errors.reduce(f64::max).unwrap_or(f64::INFINITY)
+/// What other engines give, and this one by its other tiers.
+fn beside(entry: &Entry, peers: &[PeerRun]) -> String {
+    let mut text = String::new();
+    for scene in &entry.peers {
+        let _ = write!(
+            text,
+            "\nOther engines on the scene *{scene}* of [Beside other engines](peers.md), which says what the error is of, with \
+             their settings; states in `peers/recorded`:\n\n| engine | error |\n|---|---|\n"
+        );
+        for run in peers.iter().filter(|run| run.scene == *scene) {
+            let _ = writeln!(text, "| {} | {} |", run.engine, run.error);
+        }
+    }
+    text
 }
 
 /// A line of a table.
@@ -110,7 +126,7 @@ fn words(value: &Value) -> String {
     }
 }
 
-fn section(entry: &Entry, record: &Record) -> String {
+fn section(entry: &Entry, record: &Record, peers: &[PeerRun]) -> String {
     let mut text = format!("\n### {}\n\n", entry.title);
     if let Some(scene) = entry.scene() {
         let _ = write!(text, "![{}](gallery/{scene}.png)\n\n", entry.title);
@@ -131,21 +147,9 @@ fn section(entry: &Entry, record: &Record) -> String {
     if commands.is_empty() {
         commands.push(format!("cargo xtask verify --only \"atlas {}\"", entry.name));
     }
-    let _ = write!(text, "\n```sh\n{}\n```\n", commands.join("\n"));
-    if !entry.peers.is_empty() {
-        text.push_str("\n| engine | settings | found | states |\n|---|---|---|---|\n");
-        for peer in &entry.peers {
-            let found: Vec<String> = peer.found.iter().map(|&number| short_number(number)).collect();
-            let _ = writeln!(
-                text,
-                "| {} | {} | {} | `peers/recorded/{}` |",
-                peer.engine,
-                peer.settings,
-                found.join(", "),
-                peer.states
-            );
-        }
-    }
+    let of_commands: String = commands.iter().map(|command| format!("- `{command}`\n")).collect();
+    let _ = write!(text, "\n{of_commands}");
+    text.push_str(&beside(entry, peers));
     text
 }
 

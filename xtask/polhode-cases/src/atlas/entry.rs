@@ -45,23 +45,9 @@ pub struct Entry {
     pub picture: Option<String>,
     /// How the numbers are read, in their order.
     pub readings: Vec<Reading>,
-    /// What other engines give.
+    /// Scenes of docs/peers.md on which other engines were run.
     #[serde(default)]
-    pub peers: Vec<Peer>,
-}
-
-/// What another engine gives.
-#[derive(Debug, Clone, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Peer {
-    /// The engine with its version.
-    pub engine: String,
-    /// Its settings.
-    pub settings: String,
-    /// What was read out of its states, in the order of the quantities.
-    pub found: Vec<f64>,
-    /// The file of its states in `peers/recorded`.
-    pub states: String,
+    pub peers: Vec<String>,
 }
 
 impl Entry {

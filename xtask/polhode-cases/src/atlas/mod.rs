@@ -14,6 +14,7 @@
 //! | `modes` | exponents of small disturbances |
 //! | `throws` | shares of random throws |
 //! | `own` | readings that are no quantity of the scene format |
+//! | `peers` | [`PeerRun`]: what other engines give |
 //! | `record` | [`Record`]: what was found last |
 //! | `check` | the rows of an entry |
 
@@ -22,6 +23,7 @@ mod entry;
 mod limit;
 mod modes;
 mod own;
+mod peers;
 mod published;
 mod reading;
 mod record;
@@ -29,7 +31,8 @@ mod runs;
 mod throws;
 
 pub use check::{CASE, check, measure};
-pub use entry::{Entry, Group, Peer, groups};
+pub use entry::{Entry, Group, groups};
+pub use peers::{PeerRun, peer_runs};
 pub use published::Published;
 pub use reading::{Read, Reading};
 pub use record::Record;

@@ -68,7 +68,7 @@ impl Reading {
             Read::Moves(moves) => runs::moved(&self.run(context)?, moves),
             Read::Limit(limit) => limit::found(&self.run(context)?, limit).map(|value| vec![value]),
             Read::Modes(modes) => modes::found(&self.run(context)?, modes),
-            Read::Landings(landings) => throws::shares(&self.run(context)?, landings),
+            Read::Landings(landings) => throws::shares(&self.run(context)?, landings, context.amount),
         }
     }
 

@@ -1,6 +1,7 @@
 //! Shares of random throws: how often a body comes to rest on its faces.
 
 use super::runs::SceneRun;
+use crate::cases::Amount;
 use crate::row::Value;
 use polhode::Effects;
 use polhode_study::drop::{RestPoses, Setting, Start, Throws};
@@ -12,8 +13,8 @@ use std::num::NonZeroUsize;
 #[derive(Debug, Clone, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Landings {
-    /// How many.
-    pub throws: u64,
+    /// How many; one in a hundred of them where not everything is run.
+    pub throws: u32,
     /// Seed of the attitudes.
     #[serde(default)]
     pub seed: u64,
@@ -27,30 +28,29 @@ pub struct Landings {
 pub enum Of {
     /// On how many faces any has come to rest, and the share of the most frequent one.
     Faces,
-    /// The share that has come to rest on the mantle of a round body.
-    Mantle,
+    /// On how many faces it can rest, by statics: nothing is thrown.
+    Statics,
 }
 
 /// The shares.
 ///
 /// # Errors
 /// When the scene cannot be thrown, or a throw fails.
-pub(super) fn shares(run: &SceneRun, landings: &Landings) -> Result<Vec<Value>, Box<dyn Error>> {
+pub(super) fn shares(run: &SceneRun, landings: &Landings, amount: Amount) -> Result<Vec<Value>, Box<dyn Error>> {
     let scene = run.loaded()?.scene;
     let setting = Setting::of_scene(&scene, None, Effects::Planned, Start::default())?;
+    if landings.of == Of::Statics {
+        let holding = setting.facets().list().iter().filter(|facet| facet.holds()).count();
+        return Ok(vec![Value::Count(holding as u64)]);
+    }
+    let count = amount.of(landings.throws as usize) as u64;
     let throws =
-        Throws { count: landings.throws, seed: landings.seed, workers: NonZeroUsize::MIN, corner_radius_m: None };
+        Throws { count, seed: landings.seed, workers: NonZeroUsize::MIN, corner_radius_m: None };
     let poses = RestPoses::of(&setting, &throws, &|| false, |_| Ok(()))?;
     if let Some((throw, why)) = &poses.reason {
         return Err(format!("throw {throw}: {why}").into());
     }
-    let count = landings.throws as f64;
     let most = poses.on.iter().copied().max().unwrap_or(0);
-    Ok(match landings.of {
-        Of::Faces => {
-            let faces = poses.on.iter().filter(|&&times| times > 0).count();
-            vec![Value::Count(faces as u64), Value::Number(most as f64 / count)]
-        }
-        Of::Mantle => vec![Value::Number(poses.leaning as f64 / count)],
-    })
+    let faces = poses.on.iter().filter(|&&times| times > 0).count();
+    Ok(vec![Value::Count(faces as u64), Value::Number(most as f64 / count as f64)])
 }

@@ -19,7 +19,7 @@ pub enum Amount {
 
 impl Amount {
     /// The number of random cases to run out of `full`.
-    pub(super) fn of(self, full: usize) -> usize {
+    pub(crate) fn of(self, full: usize) -> usize {
         match self {
             Self::Part => full.div_ceil(100),
             Self::Full => full,
