@@ -34,8 +34,7 @@ fn rows(context: &Context) -> CaseResult {
     let is_fresh = written == page::text(&groups, &record, &peers);
     let mut fresh = Row::exact(PAGE_CASE, "the page is what the command writes", true, is_fresh);
     fresh.note = (!is_fresh).then(|| "run cargo xtask atlas and look at what it changes".to_owned());
-    let has_no_peers =
-        |entry: &Entry| entry.peers.iter().any(|scene| !peers.iter().any(|run| run.scene == *scene));
+    let has_no_peers = |entry: &Entry| entry.peers.iter().any(|scene| !peers.iter().any(|run| run.scene == *scene));
     Ok(vec![
         fresh,
         Row::exact(PAGE_CASE, "entries with a scene that no other engine was run on", "", without(&has_no_peers)),

@@ -66,9 +66,9 @@ fn others(entries: &[&Entry], peers: &[PeerRun]) -> String {
     if nearer.is_empty() {
         let _ = writeln!(
             text,
-            "In none of the {} results below that other engines were run on, with the tier `accurate`. Where the other tiers of \
-             polhode are farther off than they, and where others take less time, [Beside other engines](peers.md) says first. \
-             On the others no engine but this one was run.",
+            "In none of the {} results below that other engines were run on, with the tier `accurate`. Where the \
+             other tiers of polhode are farther off than they, and where others take less time, [Beside other \
+             engines](peers.md) says first. On the other results no engine but this one was run.",
             with.len()
         );
     }
@@ -81,8 +81,8 @@ fn beside(entry: &Entry, peers: &[PeerRun]) -> String {
     for scene in &entry.peers {
         let _ = write!(
             text,
-            "\nOther engines on the scene *{scene}* of [Beside other engines](peers.md), which says what the error is of, with \
-             their settings; states in `peers/recorded`:\n\n| engine | error |\n|---|---|\n"
+            "\nOther engines on the scene *{scene}* of [Beside other engines](peers.md), which says what \
+             the error is of, with their settings; states in `peers/recorded`:\n\n| engine | error |\n|---|---|\n"
         );
         for run in peers.iter().filter(|run| run.scene == *scene) {
             let _ = writeln!(text, "| {} | {} |", run.engine, run.error);

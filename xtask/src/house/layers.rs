@@ -55,6 +55,7 @@ const LAYERS: &[Layer] = &[
             "polhode-contact",
             "polhode-response",
             "polhode",
+            "polhode-study",
             "polhode-elastic",
             "polhode-scene",
             "strict-hash",

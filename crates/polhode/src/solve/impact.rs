@@ -101,9 +101,9 @@ fn largest_speed(model: &Model, states: &[BodyState], bodies: &[usize]) -> f64 {
 const LEFT_APPROACHING: f64 = 1e-10;
 
 /// Whether a contact separates that has not left the touch distance since it was struck. Where another contact of its
-/// bodies is struck meanwhile, impacts follow each other so closely that the gaps between them are below what is told from
-/// touch: the end of infinitely many (inelastic collapse, McNamara and Young 1992), in which no approach is left. It takes
-/// two bodies that move: the bounces of one are summed up where they are small (`ending_bounces.rs`).
+/// bodies is struck meanwhile, impacts follow each other so closely that the gaps between them are below what is told
+/// from touch: the end of infinitely many (inelastic collapse, McNamara and Young 1992), in which no approach is left.
+/// It takes two bodies that move: the bounces of one are summed up where they are small (`ending_bounces.rs`).
 fn is_struck_again(touch: &Touch) -> bool {
     touch.known && touch.hold == Hold::Open && touch.kinematics.separation_rate > 0.0
 }

@@ -170,9 +170,9 @@ fn elastic_bounces_too_low_to_be_seen_are_not_followed_one_by_one() {
     assert!((report.energy.final_j - report.energy.initial_j).abs() < 1e-12 * 9.81, "{:?}", report.energy);
 }
 
-/// Two balls fly against a wall. With a restitution below `3 - 2 sqrt 2` they strike it and each other infinitely often in
-/// a finite time, and stay (Bernu and Mazighi 1990); above it they come back after finitely many impacts. (With the last
-/// impacts struck together by the law of simultaneous ones, they left with a tenth of what speed was left.)
+/// Two balls fly against a wall. With a restitution below `3 - 2 sqrt 2` they strike it and each other infinitely often
+/// in a finite time, and stay (Bernu and Mazighi 1990); above it they come back after finitely many impacts. (With the
+/// last impacts struck together by the law of simultaneous ones, they left with a tenth of what speed was left.)
 #[test]
 fn an_inelastic_collapse_leaves_no_velocity() {
     for (e, impacts) in [(0.1, None), (0.05, None), (0.16, None), (0.18, Some(17)), (0.2, Some(9)), (0.3, Some(5))] {

@@ -1,8 +1,8 @@
-//! At which value of a key a scene changes: by halving between a value at which it is one way and one at which it is the
-//! other.
+//! At which value of a key a scene changes: by halving between a value at which it is one way and one at which it is
+//! the other.
 
-use super::runs::{Moves, ORIGIN, SceneRun};
 use super::runs;
+use super::runs::{Moves, ORIGIN, SceneRun};
 use crate::row::Value;
 use polhode_scene::Override;
 use polhode_study::stands::{Interval, Question};

@@ -1,8 +1,9 @@
 //! How small disturbances of a motion grow or die away: the exponents of its modes.
 //!
-//! A state x of n numbers that are small goes on by x(t + h) = P x(t). P is found by least squares from the samples of one
-//! run, n of which must not depend on each other; the exponents are log(p)/h of its eigenvalues p. A linear combination of
-//! what is small is as good a state as any other, so that components of orientations and angular velocities do.
+//! A state x of n numbers that are small goes on by x(t + h) = P x(t). P is found by least squares from the samples of
+//! one run, n of which must not depend on each other; the exponents are log(p)/h of its eigenvalues p. A linear
+//! combination of what is small is as good a state as any other, so that components of orientations and angular
+//! velocities do.
 
 use super::runs::SceneRun;
 use crate::cases::Run;
@@ -78,8 +79,8 @@ impl Complex {
     }
 }
 
-/// The exponents in the order of their growth, of a conjugate pair the one that turns forward: real part, and imaginary part
-/// where there is one.
+/// The exponents in the order of their growth, of a conjugate pair the one that turns forward: real part, and imaginary
+/// part where there is one.
 ///
 /// # Errors
 /// When the scene does not run, or its samples do not determine P.
@@ -174,7 +175,8 @@ fn exponents(propagator: &[Vec<f64>], interval_s: f64) -> Vec<Complex> {
     for _ in 0..MOST_TURNS {
         for k in 0..size {
             let zero = Complex { re: 0.0, im: 0.0 };
-            let value = coefficients.iter().fold(zero, |sum, &own| sum.times(roots[k]).plus(Complex { re: own, im: 0.0 }));
+            let value =
+                coefficients.iter().fold(zero, |sum, &own| sum.times(roots[k]).plus(Complex { re: own, im: 0.0 }));
             let others = (0..size).filter(|&other| other != k);
             let apart = others.fold(Complex { re: 1.0, im: 0.0 }, |all, other| all.times(roots[k].minus(roots[other])));
             roots[k] = roots[k].minus(value.over(apart));

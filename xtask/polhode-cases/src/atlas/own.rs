@@ -2,7 +2,7 @@
 //!
 //! | name | is |
 //! |---|---|
-//! | `first-side` | the share of time for which the first body shows the side that is up at the start, over a turn that begins there |
+//! | `first-side` | the share of a turn for which the first body shows the side that is up at the start |
 
 use super::runs::SceneRun;
 use crate::cases::motion::{Crossing, zeros};

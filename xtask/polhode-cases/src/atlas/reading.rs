@@ -93,7 +93,6 @@ impl Reading {
             Read::Limit(limit) => limit.command(scene, &set),
             Read::Landings(landings) => format!("polhode drop example:{scene}{set} -n {}", landings.throws),
             Read::Case(row) => format!("cargo xtask verify --only \"{}\"", row.case),
-
         }
     }
 }

@@ -44,8 +44,7 @@ pub(super) fn shares(run: &SceneRun, landings: &Landings, amount: Amount) -> Res
         return Ok(vec![Value::Count(holding as u64)]);
     }
     let count = amount.of(landings.throws as usize) as u64;
-    let throws =
-        Throws { count, seed: landings.seed, workers: NonZeroUsize::MIN, corner_radius_m: None };
+    let throws = Throws { count, seed: landings.seed, workers: NonZeroUsize::MIN, corner_radius_m: None };
     let poses = RestPoses::of(&setting, &throws, &|| false, |_| Ok(()))?;
     if let Some((throw, why)) = &poses.reason {
         return Err(format!("throw {throw}: {why}").into());

@@ -36,8 +36,8 @@ fn stone(name: String, from: f64, to: f64, thickness: f64) -> Result<Body, Box<d
     block(name, corners, (half * (outer * outer - inner * inner), center))
 }
 
-/// A stone with these corners in the plane of the arch, clockwise as one looks along y, and this mass (kg) and centre of
-/// mass.
+/// A stone with these corners in the plane of the arch, clockwise as one looks along y, and this mass (kg) and centre
+/// of mass.
 fn block(name: String, corners: [DVec3; 4], (mass, center): (f64, DVec3)) -> Result<Body, Box<dyn Error>> {
     let mut points = Vec::new();
     for y in [-0.5 * DEPTH, 0.5 * DEPTH] {
@@ -60,8 +60,8 @@ fn block(name: String, corners: [DVec3; 4], (mass, center): (f64, DVec3)) -> Res
         .material(rough(ROUGH)?))
 }
 
-/// The part of a disc of this radius (m) above the level and within `x` (m) of its middle: area, m^2, and its moment about
-/// the vertical through the middle, m^3. Of that to the right alone the moment is positive.
+/// The part of a disc of this radius (m) above the level and within `x` (m) of its middle: area, m^2, and its moment
+/// about the vertical through the middle, m^3. Of that to the right alone the moment is positive.
 fn under_a_circle(radius: f64, x: f64) -> [f64; 2] {
     let x = x.min(radius);
     let height = (radius * radius - x * x).sqrt();
@@ -69,8 +69,8 @@ fn under_a_circle(radius: f64, x: f64) -> [f64; 2] {
     [area, (radius.powi(3) - height.powi(3)) / 3.0]
 }
 
-/// The stone of an arch with vertical joints between two distances from the crown, m; the last ends at the ground. `side` is
-/// 1 to the right of the crown, and -1 to the left.
+/// The stone of an arch with vertical joints between two distances from the crown, m; the last ends at the ground.
+/// `side` is 1 to the right of the crown, and -1 to the left.
 fn upright_stone(side: f64, [from, to]: [f64; 2], thickness: f64) -> Result<Body, Box<dyn Error>> {
     let (inner, outer) = (1.0 - 0.5 * thickness, 1.0 + 0.5 * thickness);
     let between = |radius: f64| {
@@ -97,7 +97,8 @@ fn upright_stone(side: f64, [from, to]: [f64; 2], thickness: f64) -> Result<Body
     block(format!("stone {side} {from}"), corners, (area, center))
 }
 
-/// The least thickness of an arch with vertical joints, cut at the crown and at this distance (m) on both sides of it, m.
+/// The least thickness of an arch with vertical joints, cut at the crown and at this distance (m) on both sides of it,
+/// m.
 fn upright_cut_at(distance: f64) -> Result<f64, Box<dyn Error>> {
     let arch = |thickness: f64| -> Result<Scene, Box<dyn Error>> {
         let mut scene = Scene::builder("arch");
@@ -111,8 +112,8 @@ fn upright_cut_at(distance: f64) -> Result<f64, Box<dyn Error>> {
     threshold(0.2, 0.02, |thickness| is_in_equilibrium(&arch(thickness)?))
 }
 
-/// That of an arch with vertical joints that may break anywhere, m, and the distance (m) of that joint from the crown: the
-/// top of the parabola through three of them.
+/// That of an arch with vertical joints that may break anywhere, m, and the distance (m) of that joint from the crown:
+/// the top of the parabola through three of them.
 fn upright() -> Result<[f64; 2], Box<dyn Error>> {
     const MIDDLE: f64 = 0.78;
     const SPACING: f64 = 0.02;
