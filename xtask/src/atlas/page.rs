@@ -147,8 +147,10 @@ fn section(entry: &Entry, record: &Record, peers: &[PeerRun]) -> String {
     if commands.is_empty() {
         commands.push(format!("cargo xtask verify --only \"atlas {}\"", entry.name));
     }
-    let of_commands: String = commands.iter().map(|command| format!("- `{command}`\n")).collect();
-    let _ = write!(text, "\n{of_commands}");
+    text.push('\n');
+    for command in &commands {
+        let _ = writeln!(text, "- `{command}`");
+    }
     text.push_str(&beside(entry, peers));
     text
 }

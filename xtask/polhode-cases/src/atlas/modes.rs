@@ -99,17 +99,12 @@ pub(super) fn found(run: &SceneRun, modes: &Modes) -> Result<Vec<Value>, Box<dyn
     }
     let interval_s = run.scene.output_interval_s();
     let exponents = exponents(&propagator(&states)?, interval_s);
-    Ok(match modes.largest {
-        Some(part) => exponents
-            .last()
-            .map(|own| Value::Number(if part == Part::Growth { own.re } else { own.im }))
-            .into_iter()
-            .collect(),
-        None => {
-            let parts = exponents.iter().flat_map(|own| [Some(own.re), (own.im != 0.0).then_some(own.im)]);
-            parts.flatten().map(Value::Number).collect()
-        }
-    })
+    if let Some(part) = modes.largest {
+        let largest = exponents.last().ok_or("there is no mode")?;
+        return Ok(vec![Value::Number(if part == Part::Growth { largest.re } else { largest.im })]);
+    }
+    let parts = exponents.iter().flat_map(|own| [Some(own.re), (own.im != 0.0).then_some(own.im)]);
+    Ok(parts.flatten().map(Value::Number).collect())
 }
 
 /// P of least squares: by orthogonal columns (Gram and Schmidt, twice).
@@ -135,8 +130,7 @@ fn propagator(states: &[Vec<f64>]) -> Result<Vec<Vec<f64>>, Box<dyn Error>> {
             return Err("the samples do not determine all modes".into());
         }
         upper[number][number] = length;
-        own.iter_mut().for_each(|own| *own /= length);
-        basis.push(own);
+        basis.push(own.into_iter().map(|own| own / length).collect());
     }
     let row = |of: usize| {
         let next: Vec<f64> = states[1..].iter().map(|state| state[of]).collect();

@@ -79,11 +79,14 @@ impl Reading {
 
     /// The command that shows it.
     pub fn command(&self) -> String {
-        let set: String = self.set.iter().map(|set| format!(" --set '{set}'")).collect();
+        let all = |option: &str, values: &[String]| {
+            values.iter().fold(String::new(), |text, value| format!("{text} {option} '{value}'"))
+        };
+        let set = all("--set", &self.set);
         let scene = self.scene.as_deref().unwrap_or_default();
         match &self.read {
             Read::Measure(measures) => {
-                let measures: String = measures.iter().map(|measure| format!(" --measure '{measure}'")).collect();
+                let measures = all("--measure", measures);
                 format!("polhode sweep example:{scene}{set} --vary method.error=off{measures}")
             }
             Read::Moves(_) | Read::Modes(_) | Read::Own(_) => format!("polhode run example:{scene}{set}"),
