@@ -1,11 +1,13 @@
 //! Development tasks of the workspace. `cargo xtask verify` runs everything that a release needs; `cargo xtask cost`
 //! regenerates the figures and tables of `docs/accuracy-and-cost.md`; `cargo xtask gallery` shows the shipped scenes;
+//! `cargo xtask atlas` shows published results beside those of the engine;
 //! `cargo xtask house --counts` counts how far the design is kept; `cargo xtask cross` compares the bits of golden
 //! trajectories on other platforms; `cargo xtask licences` writes the licence texts of what a wheel of the Python
 //! package contains; `cargo xtask import-rigid-ipc` takes over scenes of another project's suite.
 //!
 //! | module | holds |
 //! |---|---|
+//! | [`atlas`] | the command: published results, and the page that shows them |
 //! | [`book`] | README and book: what they print is run |
 //! | [`verify`] | the command: which steps, table, exit code |
 //! | [`schedule`] | which steps run beside each other, and how long each takes |
@@ -29,6 +31,7 @@
 //! | [`findings`] | what historical and approximate methods are known to err by |
 //! | [`known`] | rows that are known to fail, with the reason |
 
+mod atlas;
 mod book;
 mod calibrate;
 mod census;
@@ -84,6 +87,8 @@ enum Task {
     Gallery(gallery::Options),
     /// Builds the engine for pages and the scripts of pages, which are committed.
     Playground,
+    /// Measures the published results of the atlas, and writes docs/atlas.md.
+    Atlas(atlas::Options),
     /// Writes the licence texts of what a wheel of the Python package contains.
     Licences,
     /// Regenerates the comparison of narrow phases in docs/accuracy-and-cost.md.
@@ -120,6 +125,7 @@ impl Task {
             | Self::House(_)
             | Self::Cross(_)
             | Self::ImportRigidIpc(_)
+            | Self::Atlas(_)
             | Self::Census(_)
             | Self::Gallery(_)
             | Self::Playground
@@ -144,6 +150,7 @@ fn main() -> ExitCode {
         Task::SolveFriction(options) => friction::run(&options),
         Task::Gallery(options) => verify::workspace_root().and_then(|root| gallery::run(&options, &root)),
         Task::Playground => verify::workspace_root().and_then(|root| playground::run(&root)),
+        Task::Atlas(options) => verify::workspace_root().and_then(|root| atlas::run(&options, &root)),
         Task::Licences => verify::workspace_root().and_then(|root| python::write_licences(&root)),
         Task::NarrowPhase => verify::workspace_root().and_then(|root| narrow_phase::run(&root)),
         Task::Elastic(options) => verify::workspace_root().and_then(|root| elastic_table::run(&options, &root)),

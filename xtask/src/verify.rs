@@ -11,8 +11,9 @@
 
 use crate::schedule::{self, Step};
 use crate::table::{self, Counts};
-use crate::{book, commands, gallery, golden, house, known, playground, python, viewer};
+use crate::{atlas, book, commands, gallery, golden, house, known, playground, python, viewer};
 use clap::Args;
+use polhode_cases::atlas::{Entry, Record};
 use polhode_cases::row::Row;
 use polhode_cases::snapshot_environment::in_snapshot_environment;
 use polhode_cases::{self as cases, Amount, Company, Context};
@@ -74,9 +75,11 @@ pub(crate) fn run(options: &Options) -> Result<ExitCode, Box<dyn Error>> {
     let amount = if options.extent.full { Amount::Full } else { Amount::Part };
     let context = Context::new(&root, amount)?;
     let scenes = context.shipped.names()?;
-    let steps = steps(options, &root, &context, &scenes);
+    let (groups, record) = (polhode_cases::atlas::groups(&root)?, Record::read(&root)?);
+    let atlas = Atlas { entries: groups.iter().flat_map(|group| &group.entries).collect(), record };
+    let steps = steps(options, &root, &context, (&scenes, &atlas));
     if steps.is_empty() {
-        return Err(no_such_case(options, &scenes).into());
+        return Err(no_such_case(options, &names(&scenes, &atlas)).into());
     }
     let mut rows = schedule::run(&steps);
     if options.is_of_everything() {
@@ -87,8 +90,19 @@ pub(crate) fn run(options: &Options) -> Result<ExitCode, Box<dyn Error>> {
     Ok(if failed { ExitCode::from(EXIT_FAILED) } else { ExitCode::SUCCESS })
 }
 
+/// The entries of the atlas, and what was found of them last.
+struct Atlas<'a> {
+    entries: Vec<&'a Entry>,
+    record: Record,
+}
+
 /// What is run with these options, in the order of the rows.
-fn steps<'a>(options: &Options, root: &'a Path, context: &'a Context, scenes: &'a [String]) -> Vec<Step<'a>> {
+fn steps<'a>(
+    options: &Options,
+    root: &'a Path,
+    context: &'a Context,
+    (scenes, atlas): (&'a [String], &'a Atlas<'a>),
+) -> Vec<Step<'a>> {
     let selected =
         |name: &str| options.only.as_ref().is_none_or(|pattern| name.to_lowercase().contains(&pattern.to_lowercase()));
     let mut steps = Vec::new();
@@ -109,13 +123,16 @@ fn steps<'a>(options: &Options, root: &'a Path, context: &'a Context, scenes: &'
         );
     }
     if !options.bless && selected(book::NAME) && !options.extent.quick {
-        steps.push(Step::new(book::NAME, Company::Build, || book::check(context, &names(scenes))));
+        steps.push(Step::new(book::NAME, Company::Build, || book::check(context, &names(scenes, atlas))));
     }
     if !options.bless && selected(python::NAME) && !options.extent.quick {
         steps.push(Step::new(python::NAME, Company::Build, || python::check(context)));
     }
     if !options.bless && selected(gallery::CASE) {
         steps.push(Step::new(gallery::CASE, Company::Beside, || gallery::check(context)));
+    }
+    if !options.bless && !options.extent.quick {
+        steps.extend(of_atlas(context, atlas, selected));
     }
     let goldens = scenes.iter().map(|scene| (scene, golden::case_name(scene))).filter(|(_, name)| selected(name));
     steps.extend(goldens.map(|(scene, name)| Step::new(name, Company::Beside, || golden::check(context, scene))));
@@ -131,20 +148,42 @@ fn steps<'a>(options: &Options, root: &'a Path, context: &'a Context, scenes: &'
     steps
 }
 
-fn no_such_case(options: &Options, scenes: &[String]) -> String {
+/// The entries of the atlas, and its page.
+fn of_atlas<'a>(context: &'a Context, atlas: &'a Atlas<'a>, selected: impl Fn(&str) -> bool) -> Vec<Step<'a>> {
+    let named = atlas.entries.iter().map(|entry| (entry, case_of_atlas(entry)));
+    let mut steps: Vec<Step<'a>> = named
+        .filter(|(_, name)| selected(name))
+        .map(|(entry, name)| {
+            let rows = || polhode_cases::atlas::check(entry, &atlas.record, context);
+            Step::new(name, Company::Beside, rows)
+        })
+        .collect();
+    if selected(atlas::PAGE_CASE) {
+        steps.push(Step::new(atlas::PAGE_CASE, Company::Beside, || atlas::check_page(context)));
+    }
+    steps
+}
+
+fn case_of_atlas(entry: &Entry) -> String {
+    format!("{} {}", polhode_cases::atlas::CASE, entry.name)
+}
+
+fn no_such_case(options: &Options, names: &[String]) -> String {
     let pattern = options.only.as_deref().unwrap_or_default();
-    format!("no case contains \"{pattern}\"; the cases are: {}", names(scenes).join(", "))
+    format!("no case contains \"{pattern}\"; the cases are: {}", names.join(", "))
 }
 
 /// The names of all that `--only` can select.
-fn names(scenes: &[String]) -> Vec<String> {
+fn names(scenes: &[String], atlas: &Atlas<'_>) -> Vec<String> {
     let cases = [HOUSE, book::NAME, python::NAME, gallery::CASE]
         .into_iter()
         .chain(cases::ALL.iter().map(|case| case.name))
         .map(str::to_owned);
     let goldens = scenes.iter().map(|scene| golden::case_name(scene));
     let stills = golden::STILLS.iter().map(golden::GoldenStill::case_name);
-    cases.chain(goldens).chain(stills).chain([viewer::NAME, playground::NAME].map(str::to_owned)).collect()
+    let results = atlas.entries.iter().map(|entry| case_of_atlas(entry)).chain([atlas::PAGE_CASE.to_owned()]);
+    let pages = [viewer::NAME, playground::NAME].map(str::to_owned);
+    cases.chain(results).chain(goldens).chain(stills).chain(pages).collect()
 }
 
 fn print(rows: &[Row], options: &Options) -> Result<(), Box<dyn Error>> {

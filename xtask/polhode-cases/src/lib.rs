@@ -2,6 +2,7 @@
 //!
 //! | module | holds |
 //! |---|---|
+//! | [`atlas`] | published results beside what the engine gives |
 //! | [`cases`] | the cases, one file per group |
 //! | [`calibration`] | errors that runs tell beside their true errors |
 //! | [`row`] | one result |
@@ -12,6 +13,7 @@
 //! | [`rigid_ipc`] | the command: scenes of the Rigid IPC suite in our format |
 //! | [`scene_units`] | a scene file in other units |
 
+pub mod atlas;
 pub mod calibration;
 pub mod cargo;
 pub mod cases;

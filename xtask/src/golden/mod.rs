@@ -16,6 +16,7 @@ mod still;
 mod trajectory;
 
 pub(crate) use still::{GoldenStill, STILLS};
+pub(crate) use trajectory::number as short_number;
 
 use comparator::{Comparison, DEFAULT_DESCRIPTION, ToleranceComparator};
 use polhode::Effects;

@@ -78,7 +78,7 @@ fn components(sample: &BodySample) -> [f64; 13] {
 }
 
 /// A number with twelve digits and no more characters than it needs.
-fn number(value: f64) -> String {
+pub(crate) fn number(value: f64) -> String {
     if value == 0.0 || !value.is_finite() {
         return format!("{}", value + 0.0);
     }

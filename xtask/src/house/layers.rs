@@ -56,6 +56,7 @@ const LAYERS: &[Layer] = &[
             "polhode-contact",
             "polhode-response",
             "polhode",
+            "polhode-study",
             "polhode-elastic",
             "polhode-scene",
             "strict-hash",

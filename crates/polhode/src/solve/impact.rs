@@ -1,6 +1,6 @@
 //! Impacts: the impact law acts on approaching contacts, together with all contacts connected to them.
 
-use crate::collision::touch::Touch;
+use crate::collision::touch::{Hold, Touch};
 use crate::constraint::ConstraintId;
 use crate::identity::body_id::BodyId;
 use crate::identity::contact_id::ContactId;
@@ -100,6 +100,14 @@ fn largest_speed(model: &Model, states: &[BodyState], bodies: &[usize]) -> f64 {
 /// 1e-10): the residual of its problem.
 const LEFT_APPROACHING: f64 = 1e-10;
 
+/// Whether a contact separates that has not left the touch distance since it was struck. Where another contact of its
+/// bodies is struck meanwhile, impacts follow each other so closely that the gaps between them are below what is told
+/// from touch: the end of infinitely many (inelastic collapse, McNamara and Young 1992), in which no approach is left.
+/// It takes two bodies that move: the bounces of one are summed up where they are small (`ending_bounces.rs`).
+fn is_struck_again(touch: &Touch) -> bool {
+    touch.known && touch.hold == Hold::Open && touch.kinematics.separation_rate > 0.0
+}
+
 /// Applies the impact law to the contacts and pivots of a group and updates the momenta of its bodies. If the law finds
 /// no solution, the states are unchanged and the status says so.
 ///
@@ -123,6 +131,9 @@ pub(crate) fn strike_group(
     let assembly = Assembly::new(model, states, &group.bodies, rows)?;
     let before = assembly.rates(members.iter().map(|touch| touch.kinematics.separation_rate));
     let mut restitution: Vec<f64> = members.iter().map(|touch| joint_contacts::restitution_at(model, touch)).collect();
+    if group.bodies.len() > 1 && members.iter().any(is_struck_again) {
+        restitution.iter_mut().filter(|restitution| **restitution < 1.0).for_each(|restitution| *restitution = 0.0);
+    }
     // Bilateral constraints have no restitution.
     restitution.resize(before.len(), 0.0);
     let row_law = law.of_rows(model.scene.method().pulse_exponent.unwrap_or_default());

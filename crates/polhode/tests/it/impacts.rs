@@ -169,3 +169,30 @@ fn elastic_bounces_too_low_to_be_seen_are_not_followed_one_by_one() {
     assert!(recorder.events.len() > 15, "{}", recorder.events.len());
     assert!((report.energy.final_j - report.energy.initial_j).abs() < 1e-12 * 9.81, "{:?}", report.energy);
 }
+
+/// Two balls fly against a wall. With a restitution below `3 - 2 sqrt 2` they strike it and each other infinitely often
+/// in a finite time, and stay (Bernu and Mazighi 1990); above it they come back after finitely many impacts. (With the
+/// last impacts struck together by the law of simultaneous ones, they left with a tenth of what speed was left.)
+#[test]
+fn an_inelastic_collapse_leaves_no_velocity() {
+    for (e, impacts) in [(0.1, None), (0.05, None), (0.16, None), (0.18, Some(17)), (0.2, Some(9)), (0.3, Some(5))] {
+        let at = |x: f64| DVec3::new(x, 0.0, 0.0);
+        let wall = Body::fixed("wall").geometry(Shape::half_space(-UnitVector::X).into());
+        let scene = Scene::builder("collapse")
+            .method(accurate())
+            .gravity(DVec3::ZERO)
+            .duration_s(20.0)
+            .body(wall.material(elastic(e)))
+            .body(ball("first", 1.0, 0.5, at(-1.0), DVec3::X).material(elastic(e)))
+            .body(ball("second", 1.0, 0.5, at(-2.5), DVec3::X).material(elastic(e)))
+            .build()
+            .unwrap();
+        let (report, recorder) = run(&scene, Effects::Planned);
+        let speeds = [1, 2].map(|body: usize| report.bodies[body].state.velocity.linear.length());
+        let struck = recorder.events.iter().filter(|event| event.kind == EventKind::Impact).count();
+        match impacts {
+            None => assert!(speeds.iter().all(|&speed| speed < 1e-8), "{e}: {speeds:?}"),
+            Some(impacts) => assert_eq!((struck, speeds.iter().all(|&speed| speed > 1e-8)), (impacts, true), "{e}"),
+        }
+    }
+}

@@ -1,4 +1,6 @@
-//! FC-13: semicircular arches of stones with radial joints that do not slip, at their least thickness.
+//! FC-13: semicircular arches of stones whose joints do not slip, at their least thickness.
+//!
+//! Joints are radial, or vertical: then a stone is what stands of the ring between two vertical planes.
 //!
 //! A stone is a sector of the ring of mean radius 1 m and thickness t, as heavy as its area. An arch cut at its crown,
 //! at its springings and at an angle `b` on both sides of the crown falls on five hinges; the angle at which it must be
@@ -8,6 +10,7 @@ use super::bodies::half_space;
 use super::motion::zero;
 use super::rough_plane::{is_in_equilibrium, rough, threshold};
 use super::{CaseResult, Context};
+use crate::row::Row;
 use glam::DVec3;
 use polhode::contact::{ConvexPolyhedron, Shape};
 use polhode::spatial::{Inertia, Mass, MassProperties, Pose, UnitVector};
@@ -29,11 +32,16 @@ fn stone(name: String, from: f64, to: f64, thickness: f64) -> Result<Body, Box<d
     // Centroid of a sector of a ring.
     let distance = 2.0 / 3.0 * (outer.powi(3) - inner.powi(3)) / (outer * outer - inner * inner) * half.sin() / half;
     let center = radial(0.5 * (from + to)) * distance;
+    let corners = [radial(from) * inner, radial(from) * outer, radial(to) * outer, radial(to) * inner];
+    block(name, corners, (half * (outer * outer - inner * inner), center))
+}
+
+/// A stone with these corners in the plane of the arch, clockwise as one looks along y, and this mass (kg) and centre
+/// of mass.
+fn block(name: String, corners: [DVec3; 4], (mass, center): (f64, DVec3)) -> Result<Body, Box<dyn Error>> {
     let mut points = Vec::new();
     for y in [-0.5 * DEPTH, 0.5 * DEPTH] {
-        for corner in [radial(from) * inner, radial(from) * outer, radial(to) * outer, radial(to) * inner] {
-            points.push(corner + DVec3::Y * y - center);
-        }
+        points.extend(corners.map(|corner| corner + DVec3::Y * y - center));
     }
     let faces = vec![
         vec![3, 2, 1, 0],
@@ -43,7 +51,6 @@ fn stone(name: String, from: f64, to: f64, thickness: f64) -> Result<Body, Box<d
         vec![3, 7, 6, 2],
         vec![0, 4, 7, 3],
     ];
-    let mass = half * (outer * outer - inner * inner);
     // Statics does not ask for the moments; any will do.
     let properties =
         MassProperties::new(Mass::new(mass)?, DVec3::ZERO, Inertia::from_diagonal(DVec3::splat(0.1 * mass))?);
@@ -51,6 +58,69 @@ fn stone(name: String, from: f64, to: f64, thickness: f64) -> Result<Body, Box<d
         .geometry(Shape::convex(ConvexPolyhedron::from_faces(points, faces)?).into())
         .pose(Pose::from_translation(center))
         .material(rough(ROUGH)?))
+}
+
+/// The part of a disc of this radius (m) above the level and within `x` (m) of its middle: area, m^2, and its moment
+/// about the vertical through the middle, m^3. Of that to the right alone the moment is positive.
+fn under_a_circle(radius: f64, x: f64) -> [f64; 2] {
+    let x = x.min(radius);
+    let height = (radius * radius - x * x).sqrt();
+    let area = 0.5 * (x * height + radius * radius * x.atan2(height));
+    [area, (radius.powi(3) - height.powi(3)) / 3.0]
+}
+
+/// The stone of an arch with vertical joints between two distances from the crown, m; the last ends at the ground.
+/// `side` is 1 to the right of the crown, and -1 to the left.
+fn upright_stone(side: f64, [from, to]: [f64; 2], thickness: f64) -> Result<Body, Box<dyn Error>> {
+    let (inner, outer) = (1.0 - 0.5 * thickness, 1.0 + 0.5 * thickness);
+    let between = |radius: f64| {
+        let ([near, near_moment], [far, far_moment]) = (under_a_circle(radius, from), under_a_circle(radius, to));
+        [far - near, far_moment - near_moment]
+    };
+    let ([ring, ring_moment], [hole, hole_moment]) = (between(outer), between(inner));
+    let area = ring - hole;
+    // Moment about the level: half the square of the height of each circle over its width.
+    let square = |radius: f64, x: f64| {
+        let x = x.min(radius);
+        0.5 * (radius * radius * x - x * x * x / 3.0)
+    };
+    let level = |radius: f64| square(radius, to) - square(radius, from);
+    let center = DVec3::new(side * (ring_moment - hole_moment), 0.0, level(outer) - level(inner)) / area;
+    let at = |radius: f64, x: f64| {
+        let x = x.min(radius);
+        DVec3::new(side * x, 0.0, (radius * radius - x * x).sqrt())
+    };
+    let mut corners = [at(inner, from), at(outer, from), at(outer, to), at(inner, to)];
+    if side < 0.0 {
+        corners.reverse();
+    }
+    block(format!("stone {side} {from}"), corners, (area, center))
+}
+
+/// The least thickness of an arch with vertical joints, cut at the crown and at this distance (m) on both sides of it,
+/// m.
+fn upright_cut_at(distance: f64) -> Result<f64, Box<dyn Error>> {
+    let arch = |thickness: f64| -> Result<Scene, Box<dyn Error>> {
+        let mut scene = Scene::builder("arch");
+        for side in [-1.0, 1.0] {
+            for ends in [[0.0, distance], [distance, 2.0]] {
+                scene = scene.body(upright_stone(side, ends, thickness)?);
+            }
+        }
+        Ok(scene.body(half_space("ground", UnitVector::Z).material(rough(ROUGH)?)).build()?)
+    };
+    threshold(0.2, 0.02, |thickness| is_in_equilibrium(&arch(thickness)?))
+}
+
+/// That of an arch with vertical joints that may break anywhere, m, and the distance (m) of that joint from the crown:
+/// the top of the parabola through three of them.
+fn upright() -> Result<[f64; 2], Box<dyn Error>> {
+    const MIDDLE: f64 = 0.78;
+    const SPACING: f64 = 0.02;
+    let [low, middle, high] = [-SPACING, 0.0, SPACING].map(|shift| upright_cut_at(MIDDLE + shift));
+    let (low, middle, high) = (low?, middle?, high?);
+    let (slope, bend) = (0.5 * (high - low), high - 2.0 * middle + low);
+    Ok([middle - 0.5 * slope * slope / bend, MIDDLE - SPACING * slope / bend])
 }
 
 /// An arch with joints at these angles from the crown, rad.
@@ -94,5 +164,8 @@ pub(super) fn fc_13(context: &Context) -> CaseResult {
         let quantity = format!("{stones} equal voussoirs: critical t/R");
         rows.push(reference.row("FC-13", &quantity, least_thickness(&joints)?)?);
     }
+    let [thickness, distance] = upright()?;
+    rows.push(reference.row("FC-13", "vertical joints: t/R", thickness)?);
+    rows.push(Row::info("FC-13", "vertical joints: distance of the hinge from the crown, m", "", distance));
     Ok(rows)
 }

@@ -1,8 +1,10 @@
 //! What every case may use: the folder, reference values, runs of shipped scenes, and how much is to be run.
 
+use super::kept::Kept;
 use super::program::Program;
 use super::run::ShippedScenes;
 use crate::reference::Reference;
+use crate::row::Row;
 use std::error::Error;
 use std::path::{Path, PathBuf};
 
@@ -17,7 +19,7 @@ pub enum Amount {
 
 impl Amount {
     /// The number of random cases to run out of `full`.
-    pub(super) fn of(self, full: usize) -> usize {
+    pub(crate) fn of(self, full: usize) -> usize {
         match self {
             Self::Part => full.div_ceil(100),
             Self::Full => full,
@@ -38,6 +40,8 @@ pub struct Context {
     pub shipped: ShippedScenes,
     /// The program.
     pub program: Program,
+    /// Rows of cases that have run.
+    pub(super) rows: Kept<Vec<Row>>,
 }
 
 impl Context {
@@ -52,6 +56,7 @@ impl Context {
             amount,
             shipped: ShippedScenes::new(&root.join("fixtures/scenes")),
             program: Program::default(),
+            rows: Kept::default(),
         })
     }
 }

@@ -10,6 +10,7 @@
 //! | `context` | what every case may use |
 //! | `error_estimates` | told errors beside true ones |
 //! | `list` | all cases, in the order in which they run |
+//! | `kept` | what is made once and used by several cases |
 //! | `run` | runs of scenes, and those of the shipped ones, each made once |
 //! | `bodies` | bodies that several cases are built from |
 //! | `setting` | the same scene set differently in the world |
@@ -54,12 +55,13 @@ mod impacts;
 mod impacts_every_way;
 mod invariances;
 pub(crate) mod joints;
+mod kept;
 mod ledger;
 mod list;
 mod long_runs;
 mod mass_properties;
 mod mesh_program;
-mod motion;
+pub(crate) mod motion;
 mod numerical_loss;
 mod one_dependency;
 mod orders_in_contact;
@@ -113,3 +115,4 @@ pub use case::{CaseResult, Company, guarded};
 pub use context::{Amount, Context};
 pub use list::{ALL, QUICK, company};
 pub use run::Run;
+pub(crate) use run::movement_m;

@@ -39,7 +39,7 @@ pub(super) fn angle_between(a: DVec3, b: DVec3) -> f64 {
 
 /// Which zeros count.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Crossing {
+pub(crate) enum Crossing {
     /// Every one.
     Any,
     /// From above zero to below: a maximum of what the function is the rate of.
@@ -51,7 +51,7 @@ pub(super) enum Crossing {
 ///
 /// # Errors
 /// When there are fewer, or a run fails.
-pub(super) fn zeros(
+pub(crate) fn zeros(
     scene: &Scene,
     count: usize,
     crossing: Crossing,

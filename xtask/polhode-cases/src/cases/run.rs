@@ -1,10 +1,10 @@
 //! Running scenes: one call that gives the report and everything that was observed.
 
+use super::kept::Kept;
 use polhode::{BodySample, Effects, ErrorEstimation, Event, EventKind, Recorder, RunReport, Scene, Simulation};
-use std::collections::BTreeMap;
 use std::error::Error;
 use std::path::{Path, PathBuf};
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::Arc;
 use std::time::Instant;
 
 /// A finished run.
@@ -57,7 +57,7 @@ impl Run {
 }
 
 /// Largest distance of any point of any body between two samples, m.
-pub(super) fn movement_m(scene: &Scene, before: &[BodySample], after: &[BodySample]) -> f64 {
+pub(crate) fn movement_m(scene: &Scene, before: &[BodySample], after: &[BodySample]) -> f64 {
     let moved = scene.bodies().iter().zip(before.iter().zip(after)).map(|(body, (a, b))| {
         let displacement = (b.pose.translation - a.pose.translation).length();
         displacement + a.pose.rotation.angle_to(b.pose.rotation) * reach_m(body)
@@ -74,20 +74,16 @@ fn reach_m(body: &polhode::Body) -> f64 {
     }
 }
 
-/// Where the run of a scene stands once it is made.
-type Place = Arc<Mutex<Option<Arc<Run>>>>;
-
 /// The scenes that the project ships, and their runs, each made when first asked for.
 #[derive(Debug)]
 pub struct ShippedScenes {
     folder: PathBuf,
-    /// One place for each scene, held while its run is made: whoever else asks for it waits.
-    planned: Mutex<BTreeMap<String, Place>>,
+    planned: Kept<Run>,
 }
 
 impl ShippedScenes {
     pub(super) fn new(folder: &Path) -> Self {
-        Self { folder: folder.to_owned(), planned: Mutex::default() }
+        Self { folder: folder.to_owned(), planned: Kept::default() }
     }
 
     /// Names of the scenes, in order.
@@ -125,16 +121,6 @@ impl ShippedScenes {
     /// # Errors
     /// When there is no such scene or it does not run to its end.
     pub fn run(&self, name: &str) -> Result<Arc<Run>, Box<dyn Error>> {
-        let place = {
-            let mut places = self.planned.lock().unwrap_or_else(PoisonError::into_inner);
-            Arc::clone(places.entry(name.to_owned()).or_default())
-        };
-        let mut made = place.lock().unwrap_or_else(PoisonError::into_inner);
-        if let Some(run) = made.as_ref() {
-            return Ok(Arc::clone(run));
-        }
-        let run = Arc::new(Run::of(&self.load(name)?, Effects::Planned)?);
-        *made = Some(Arc::clone(&run));
-        Ok(run)
+        self.planned.get(name, || Run::of(&self.load(name)?, Effects::Planned))
     }
 }
