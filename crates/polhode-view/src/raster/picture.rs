@@ -12,6 +12,9 @@ use crate::colors::{self, Color, Encoding};
 use crate::error::ViewError;
 use crate::light::Light;
 use polhode::spatial::DVec3;
+use std::num::NonZero;
+use std::panic::resume_unwind;
+use std::thread;
 
 /// Rows of pixels of a band.
 const BAND: u32 = 16;
@@ -88,27 +91,43 @@ pub fn draw(
     let view = View {
         paints: &flat.paints,
         behind: colors::linear(colors::STAGE),
+        encoding: Encoding::default(),
         light,
         shadow: ShadowMap::new(scene, light),
         ground: Ground::new(&scene.planes, bounds),
         projection,
     };
-    let mut rgb = Vec::with_capacity(3 * size.width as usize * size.height as usize);
-    let encoding = Encoding::default();
-    let mut top = 0;
-    while top < size.height {
-        let bottom = (top + BAND).min(size.height);
-        let rows = [top, bottom].map(|row| (row * SAMPLES) as usize);
-        let mut buffer = DepthBuffer::new((size.width * SAMPLES) as usize, rows);
-        flat.draw(&mut buffer, rows);
-        for y in top..bottom {
-            for x in 0..size.width {
-                rgb.extend(encoding.srgb(view.pixel(&buffer, x, y)));
-            }
-        }
-        top = bottom;
-    }
+    let bands: Vec<[u32; 2]> =
+        (0..size.height.div_ceil(BAND)).map(|band| [band * BAND, ((band + 1) * BAND).min(size.height)]).collect();
+    let rgb = on_all_processors(&bands, |&rows| band(&flat, &view, size.width, rows)).concat();
     Picture { size, rgb }
+}
+
+/// The pixels of a band of rows, three bytes each.
+fn band(flat: &Flattened, view: &View<'_>, width: u32, [top, bottom]: [u32; 2]) -> Vec<u8> {
+    let rows = [top, bottom].map(|row| (row * SAMPLES) as usize);
+    let mut buffer = DepthBuffer::new((width * SAMPLES) as usize, rows);
+    flat.draw(&mut buffer, rows);
+    let pixels = (top..bottom).flat_map(|y| (0..width).map(move |x| (x, y)));
+    pixels.flat_map(|(x, y)| view.encoding.srgb(view.pixel(&buffer, x, y))).collect()
+}
+
+/// What a function makes of each element of a list, with as many threads as there are processors: each takes every so
+/// many elements. No element knows of another, so that the result is the same with any number of threads.
+fn on_all_processors<T: Sync, R: Send>(list: &[T], make: impl Fn(&T) -> R + Sync) -> Vec<R> {
+    let threads = thread::available_parallelism().map_or(1, NonZero::get).min(list.len()).max(1);
+    let of_thread = &|first: usize| list.iter().skip(first).step_by(threads).map(&make).collect::<Vec<R>>();
+    let mut made: Vec<_> = thread::scope(|scope| {
+        let spawned = |first: usize| (first, thread::Builder::new().spawn_scoped(scope, move || of_thread(first)).ok());
+        let others: Vec<_> = (1..threads).map(spawned).collect();
+        let own = of_thread(0);
+        // Where the system gives no further thread, this one does its work.
+        let of_other = |(first, other): (usize, Option<thread::ScopedJoinHandle<'_, Vec<R>>>)| {
+            other.map_or_else(|| of_thread(first), |other| other.join().unwrap_or_else(|panic| resume_unwind(panic)))
+        };
+        std::iter::once(own).chain(others.into_iter().map(of_other)).map(Vec::into_iter).collect()
+    });
+    (0..list.len()).filter_map(|place| made[place % threads].next()).collect()
 }
 
 /// Triangles, lines and discs in samples, with the rows that they are on.
@@ -191,6 +210,7 @@ impl Flattened {
 struct View<'a> {
     paints: &'a Paints,
     behind: Color,
+    encoding: Encoding,
     light: &'a Light,
     shadow: Option<ShadowMap>,
     ground: Ground,
