@@ -69,8 +69,14 @@ const LARGE_ENGINE: &str = "\
     the whole engine is in the page, with every tier, clarabel, convex decomposition and the readers of robots, a \
     quarter of it the reader of scenes: none of them can be left out yet";
 
+/// Why cradles after Hertz lose more than a rounding.
+const PULSES_MISS: &str = "\
+    an impact by springs after Hertz is an integral, taken to some 1e-12 of the energy at each impact; with linear \
+    springs and the other laws an impact is a solution in closed form";
+
 /// Those of every run.
 const KNOWN_FAILURES: &[KnownFailure] = &[
+    KnownFailure { case: "energy at e = 1", quantity: "hertz-cradle", reason: PULSES_MISS },
     KnownFailure { case: "playground", quantity: "size of", reason: LARGE_ENGINE },
     KnownFailure {
         case: "house",

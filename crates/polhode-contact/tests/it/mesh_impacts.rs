@@ -139,7 +139,7 @@ fn bodies_that_touch_a_mesh_at_the_start() {
                 let along = time(&fly(DVec3::new(0.3, 0.1, 0.0)), &flat);
                 let struck = if side > 0.0 { time(&fly(DVec3::X), &ramp) } else { None };
                 let expected = 0.6 - front - start.x;
-                let right = into.is_some_and(|t| t < 1e-9) == !matches!(body, Shape::Points(_))
+                let right = into.is_some_and(|t| t < 1e-9) != matches!(body, Shape::Points(_))
                     && away.is_none()
                     && along.is_none()
                     && (side < 0.0 || struck.is_some_and(|t| (t - expected).abs() < 1e-9));
