@@ -149,7 +149,10 @@ async function hands(browser) {
     await page.waitForFunction(() => document.getElementById('hash').textContent.includes('You have acted'));
   });
   await check('a body is dragged by a spring', async () => {
-    await page.evaluate(() => window.polhode.self.restart());
+    await page.evaluate(async () => {
+      await window.polhode.self.run();
+      window.polhode.play();
+    });
     await page.waitForFunction(() => window.polhode.time() > 0.05);
     // A body that falls is not where it was when the press comes.
     await page.evaluate(() => window.polhode.pause());
