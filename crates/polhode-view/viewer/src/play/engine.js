@@ -4,6 +4,8 @@ import { Track } from './track.js';
 
 /** A worker that has not answered for so long is stuck in a step, ms. */
 const STUCK_MS = 10000;
+/** A worker that has not begun to load a scene after so long is in a step of the one before, which nobody waits for, ms. */
+const STEP_MS = 1500;
 
 /** What the engine refuses: { message, places: [{ line, column, key, words }] }. */
 export class Fault extends Error {
@@ -41,9 +43,10 @@ export class Engine {
       event.preventDefault();
       this.failAll(new Fault({ message: `the engine could not be started: ${event.message || 'the worker was refused'}`, grave: true }));
     };
-    this.started = this.ask({ do: 'start', module: this.module });
+    this.started = this.ask({ do: 'start', module: this.module }).then(() =>
+      Promise.all([...this.files].map(([name, bytes]) => this.ask({ do: 'file', name, bytes }))),
+    );
     this.started.catch(() => {});
-    for (const [name, bytes] of this.files) this.ask({ do: 'file', name, bytes });
   }
 
   /** Ends the worker, with whatever step it is in, and begins another one. */
@@ -109,6 +112,10 @@ export class Engine {
     }
     const asked = this.open.get(data.id);
     if (!asked) return;
+    if (data.did === 'begun') {
+      asked.begun = true;
+      return;
+    }
     this.open.delete(data.id);
     if (data.did === 'fault') asked.refuse(new Fault(data.fault));
     else asked.answer(data);
@@ -123,7 +130,16 @@ export class Engine {
   async load(text, changes, { shift = 0, marks = [] } = {}) {
     this.asked_epoch += 1;
     const epoch = this.asked_epoch;
-    const answer = await this.ask({ do: 'load', text, changes: changes.join('\n'), epoch, shift, marks });
+    const answered = this.ask({ do: 'load', text, changes: changes.join('\n'), epoch, shift, marks });
+    const asked = this.open.get(this.id);
+    const waited = new Promise((over) => setTimeout(over, STEP_MS, 'waited'));
+    const came = await Promise.race([answered.catch(() => null), waited]);
+    if (came === 'waited' && !asked.begun) {
+      this.restart();
+      await this.started;
+      return this.load(text, changes, { shift, marks });
+    }
+    const answer = await answered;
     const show = JSON.parse(answer.show);
     this.epoch = epoch;
     this.track = new Track(show.runs[0]);

@@ -117,6 +117,7 @@ const DOINGS = {
     return {};
   },
   load(asked) {
+    postMessage({ did: 'begun', id: asked.id });
     const show = own.load(asked.text, asked.changes);
     epoch = asked.epoch;
     steps = 0;
