@@ -74,14 +74,8 @@ const PULSES_MISS: &str = "\
     an impact by springs after Hertz is an integral, taken to some 1e-12 of the energy at each impact; with linear \
     springs and the other laws an impact is a solution in closed form";
 
-/// Why an arch has other bits in other units.
-const UNITS_MISS: &str = "\
-    the arch with upright joints, in lengths 4^5 times as large, rests with other bits from 0.2 s on: some decision \
-    there is not free of units; it is not found yet";
-
 /// Those of every run.
 const KNOWN_FAILURES: &[KnownFailure] = &[
-    KnownFailure { case: "other units", quantity: "scenes with other bits, of 115: lengths x 4^5", reason: UNITS_MISS },
     KnownFailure { case: "energy at e = 1", quantity: "hertz-cradle", reason: PULSES_MISS },
     KnownFailure { case: "playground", quantity: "size of", reason: LARGE_ENGINE },
     KnownFailure {

@@ -30,11 +30,11 @@ impl Units {
         let speed = length / time;
         let is_quadratic = beside.get("law").and_then(Value::as_str) == Some("quadratic");
         Some(match key {
-            "position" | "positions" | "size" | "radius" | "height" | "major" | "minor" | "pivot" | "anchor"
-            | "lead" | "anchors" | "length" | "point" | "points" | "center" | "center_of_mass" | "rest_length"
-            | "start" | "lowest" | "advance" | "wavelength" | "reach" | "coefficients" | "amplitude"
-            | "rolling_friction" | "spinning_friction" | "scale" | "separate" | "collision_envelope"
-            | "penetration_m" => length,
+            "position" | "positions" | "polygon" | "size" | "radius" | "inner_radius" | "outer_radius" | "width"
+            | "height" | "major" | "minor" | "pivot" | "anchor" | "lead" | "anchors" | "length" | "point"
+            | "points" | "center" | "center_of_mass" | "rest_length" | "start" | "lowest" | "advance"
+            | "wavelength" | "reach" | "coefficients" | "amplitude" | "rolling_friction" | "spinning_friction"
+            | "scale" | "separate" | "collision_envelope" | "penetration_m" => length,
             "curvature" => 1.0 / length,
             "duration" | "step" | "interval" | "times" => time,
             "gravity" => length / (time * time),
@@ -93,11 +93,11 @@ impl Units {
         }
     }
 
-    /// Of the layout of an array only the spacing and the size of the region have a unit; all else are counts.
+    /// Of the layout of an array spacing, size of the region and measures of an arch have a unit; all else are counts.
     fn layout(self, value: &mut Value) {
         for kind in value.as_table_mut().into_iter().flatten().map(|(_, kind)| kind) {
             for (key, value) in kind.as_table_mut().into_iter().flatten() {
-                if key == "spacing" || key == "size" {
+                if ["spacing", "size", "radius", "thickness", "width"].contains(&key.as_str()) {
                     multiply(value, self.length);
                 }
             }
