@@ -1,6 +1,6 @@
 //! `cargo xtask playground`: builds the engine for pages, its side of the page, and the scripts of the page.
 
-use super::{BINDINGS, DIST, ENGINE, LARGEST_ENGINE};
+use super::{BINDINGS, DIST, ENGINE};
 use flate2::{Compression, GzBuilder};
 use polhode_cases::cargo::cargo;
 use std::error::Error;
@@ -24,7 +24,7 @@ const FLAGS: &str = "-Ctarget-feature=+simd128 -Zunstable-options -Cpanic=immedi
 /// Builds all of it.
 ///
 /// # Errors
-/// When a command fails, or the engine is too large.
+/// When a command fails. How large the engine may be is a row of the verification.
 pub(crate) fn run(root: &Path) -> Result<ExitCode, Box<dyn Error>> {
     let library = ["build", "--package", "polhode-web", "--lib", "--target", TARGET, "--profile", "web"];
     let mut engine = cargo(root);
@@ -53,12 +53,7 @@ pub(crate) fn run(root: &Path) -> Result<ExitCode, Box<dyn Error>> {
         Command::new("node").arg("build.mjs").current_dir(viewer),
         "the scripts cannot be bundled: run `npm ci` there",
     )?;
-    let size = packed.len() as u64;
-    println!("{DIST}/{ENGINE}: {size} bytes, {} unpacked", engine.len());
-    if size > LARGEST_ENGINE {
-        println!("it is larger than {LARGEST_ENGINE} bytes: look at what has come into it");
-        return Ok(ExitCode::from(crate::verify::EXIT_FAILED));
-    }
+    println!("{DIST}/{ENGINE}: {} bytes, {} unpacked", packed.len(), engine.len());
     Ok(ExitCode::SUCCESS)
 }
 

@@ -17,6 +17,9 @@ export class Scale {
   /** `cell` is the size of a cell of the grid in m, or null without a grid. */
   constructor(holder, colours, cell) {
     this.colours = colours;
+    holder.innerHTML =
+      '<svg viewBox="-34 -34 68 68" aria-hidden="true"></svg>' +
+      '<div><span class="bar-length"></span><span class="bar-line"></span><span class="grid-cell" hidden></span></div>';
     this.axes = holder.querySelector('svg');
     this.bar = holder.querySelector('.bar-line');
     this.length = holder.querySelector('.bar-length');

@@ -4,6 +4,8 @@ use super::entry::Entry;
 use super::record::Record;
 use crate::cases::{CaseResult, Context, guarded};
 use crate::row::{Row, Value};
+use polhode::{Executor, Task};
+use polhode_study::Threads;
 use std::error::Error;
 
 /// What names of cases begin with.
@@ -13,7 +15,7 @@ pub const CASE: &str = "atlas";
 ///
 /// # Errors
 /// When it cannot be read, or the readings give more or fewer numbers than the entry has quantities.
-pub fn measure(entry: &Entry, context: &Context) -> Result<Vec<Value>, Box<dyn Error>> {
+fn measure(entry: &Entry, context: &Context) -> Result<Vec<Value>, Box<dyn Error>> {
     let mut found = Vec::new();
     for reading in &entry.readings {
         found.extend(reading.values(context)?);
@@ -23,6 +25,18 @@ pub fn measure(entry: &Entry, context: &Context) -> Result<Vec<Value>, Box<dyn E
         return Err(format!("{}: readings give {found} values, and there are {asked} quantities", entry.name).into());
     }
     Ok(found)
+}
+
+/// What is read for each entry, or why nothing is; on all processors.
+pub fn measure_all(entries: &[&Entry], context: &Context) -> Vec<Result<Vec<Value>, String>> {
+    let mut found: Vec<Result<Vec<Value>, String>> = entries.iter().map(|_| Ok(Vec::new())).collect();
+    let task = |(entry, place): (&&Entry, &mut Result<Vec<Value>, String>)| {
+        *place = measure(entry, context).map_err(|error| error.to_string());
+        eprintln!("{CASE}: {}", entry.name);
+    };
+    let tasks = entries.iter().zip(&mut found).map(|both| Box::new(move || task(both)) as Task<'_>);
+    Threads::of_machine().run(tasks.collect());
+    found
 }
 
 /// The rows of an entry.

@@ -10,7 +10,6 @@
 //! | `published` | [`Published`]: printed digits, and how far from them a number may be |
 //! | `reading` | [`Reading`]: how a number is read out of runs |
 //! | `runs` | runs of a shipped scene with some of its values changed |
-//! | `limit` | at which value of a key a scene changes |
 //! | `modes` | exponents of small disturbances |
 //! | `throws` | shares of random throws |
 //! | `own` | readings that are no quantity of the scene format |
@@ -20,7 +19,6 @@
 
 mod check;
 mod entry;
-mod limit;
 mod modes;
 mod own;
 mod peers;
@@ -30,7 +28,7 @@ mod record;
 mod runs;
 mod throws;
 
-pub use check::{CASE, check, measure};
+pub use check::{CASE, check, measure_all};
 pub use entry::{Entry, Group, groups};
 pub use peers::{PeerRun, peer_runs};
 pub use published::Published;

@@ -8,13 +8,10 @@
 use super::runs::SceneRun;
 use crate::cases::Run;
 use crate::row::Value;
+use nalgebra::{Complex, DMatrix};
 use polhode::Effects;
 use serde::Deserialize;
 use std::error::Error;
-use std::f64::consts::TAU;
-
-/// Turns of the search for the roots of a polynomial: some twenty are needed.
-const MOST_TURNS: usize = 500;
 
 /// Which modes.
 #[derive(Debug, Clone, Deserialize)]
@@ -52,31 +49,11 @@ pub enum Part {
     Frequency,
 }
 
-/// A complex number.
+/// An exponent: growth and frequency, 1/s.
 #[derive(Debug, Clone, Copy, PartialEq)]
-struct Complex {
-    re: f64,
-    im: f64,
-}
-
-impl Complex {
-    fn plus(self, other: Self) -> Self {
-        Self { re: self.re + other.re, im: self.im + other.im }
-    }
-
-    fn minus(self, other: Self) -> Self {
-        Self { re: self.re - other.re, im: self.im - other.im }
-    }
-
-    fn times(self, other: Self) -> Self {
-        Self { re: self.re * other.re - self.im * other.im, im: self.re * other.im + self.im * other.re }
-    }
-
-    fn over(self, other: Self) -> Self {
-        let square = other.re * other.re + other.im * other.im;
-        let turned = self.times(Self { re: other.re, im: -other.im });
-        Self { re: turned.re / square, im: turned.im / square }
-    }
+struct Exponent {
+    growth: f64,
+    frequency: f64,
 }
 
 /// The exponents in the order of their growth, of a conjugate pair the one that turns forward: real part, and imaginary
@@ -101,99 +78,40 @@ pub(super) fn found(run: &SceneRun, modes: &Modes) -> Result<Vec<Value>, Box<dyn
     let exponents = exponents(&propagator(&states)?, interval_s);
     if let Some(part) = modes.largest {
         let largest = exponents.last().ok_or("there is no mode")?;
-        return Ok(vec![Value::Number(if part == Part::Growth { largest.re } else { largest.im })]);
+        return Ok(vec![Value::Number(if part == Part::Growth { largest.growth } else { largest.frequency })]);
     }
-    let parts = exponents.iter().flat_map(|own| [Some(own.re), (own.im != 0.0).then_some(own.im)]);
+    let parts = exponents.iter().flat_map(|own| [Some(own.growth), (own.frequency != 0.0).then_some(own.frequency)]);
     Ok(parts.flatten().map(Value::Number).collect())
 }
 
-/// P of least squares: by orthogonal columns (Gram and Schmidt, twice).
-fn propagator(states: &[Vec<f64>]) -> Result<Vec<Vec<f64>>, Box<dyn Error>> {
+/// P of least squares.
+fn propagator(states: &[Vec<f64>]) -> Result<DMatrix<f64>, Box<dyn Error>> {
     let (size, count) = (states.first().map_or(0, Vec::len), states.len().saturating_sub(1));
     if count < size || size == 0 {
         return Err(format!("{count} steps do not determine {size} modes").into());
     }
-    let column = |number: usize| -> Vec<f64> { states[..count].iter().map(|state| state[number]).collect() };
-    let mut basis: Vec<Vec<f64>> = Vec::new();
-    let mut upper = vec![vec![0.0; size]; size];
-    for number in 0..size {
-        let mut own = column(number);
-        for _ in 0..2 {
-            for (k, other) in basis.iter().enumerate() {
-                let part = dot(&own, other);
-                upper[k][number] += part;
-                own.iter_mut().zip(other).for_each(|(own, other)| *own -= part * other);
-            }
-        }
-        let length = dot(&own, &own).sqrt();
-        if length == 0.0 {
-            return Err("the samples do not determine all modes".into());
-        }
-        upper[number][number] = length;
-        basis.push(own.into_iter().map(|own| own / length).collect());
-    }
-    let row = |of: usize| {
-        let next: Vec<f64> = states[1..].iter().map(|state| state[of]).collect();
-        let mut solution = vec![0.0; size];
-        for number in (0..size).rev() {
-            let known: f64 = (number + 1..size).map(|k| upper[number][k] * solution[k]).sum();
-            solution[number] = (dot(&basis[number], &next) - known) / upper[number][number];
-        }
-        solution
-    };
-    Ok((0..size).map(row).collect())
+    let rows = |of: &[Vec<f64>]| DMatrix::from_fn(count, size, |row, column| of[row][column]);
+    let (before, after) = (rows(&states[..count]), rows(&states[1..]));
+    let factors = before.qr();
+    let solved = factors.r().solve_upper_triangular(&(factors.q().transpose() * after));
+    Ok(solved.ok_or("the samples do not determine all modes")?.transpose())
 }
 
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
-}
-
-/// The exponents of a propagator over this time, s: roots of its characteristic polynomial (Faddeev and LeVerrier) by
-/// Weierstrass's method.
-fn exponents(propagator: &[Vec<f64>], interval_s: f64) -> Vec<Complex> {
-    let size = propagator.len();
-    let mut coefficients = vec![1.0];
-    let mut matrix = vec![vec![0.0; size]; size];
-    for order in 1..=size {
-        let last = coefficients.last().copied().unwrap_or(1.0);
-        matrix = product(propagator, &matrix);
-        (0..size).for_each(|k| matrix[k][k] += last);
-        let trace: f64 = (0..size).map(|k| product(propagator, &matrix)[k][k]).sum();
-        coefficients.push(-trace / order as f64);
-    }
-    let start = |k: usize| {
-        let (sine, cosine) = libm::sincos(0.4 + TAU * k as f64 / size as f64);
-        Complex { re: 0.9 * cosine, im: 0.9 * sine }
+/// The exponents of a propagator over this time, s.
+fn exponents(propagator: &DMatrix<f64>, interval_s: f64) -> Vec<Exponent> {
+    let of = |value: &Complex<f64>| {
+        let turn = if value.im.abs() < REAL * value.re.abs() { 0.0 } else { value.im };
+        let growth = libm::log(libm::hypot(value.re, value.im));
+        Exponent { growth: growth / interval_s, frequency: libm::atan2(turn, value.re) / interval_s }
     };
-    let mut roots: Vec<Complex> = (0..size).map(start).collect();
-    for _ in 0..MOST_TURNS {
-        for k in 0..size {
-            let zero = Complex { re: 0.0, im: 0.0 };
-            let value =
-                coefficients.iter().fold(zero, |sum, &own| sum.times(roots[k]).plus(Complex { re: own, im: 0.0 }));
-            let others = (0..size).filter(|&other| other != k);
-            let apart = others.fold(Complex { re: 1.0, im: 0.0 }, |all, other| all.times(roots[k].minus(roots[other])));
-            roots[k] = roots[k].minus(value.over(apart));
-        }
-    }
-    let mut all: Vec<Complex> = roots
-        .iter()
-        .map(|root| if root.im.abs() < REAL * root.re.abs() { Complex { im: 0.0, ..*root } } else { *root })
-        .map(|root| [libm::log(libm::hypot(root.re, root.im)), libm::atan2(root.im, root.re)])
-        .map(|[re, im]| Complex { re: re / interval_s, im: im / interval_s })
-        .filter(|own| own.im >= 0.0)
-        .collect();
-    all.sort_by(|a, b| a.re.total_cmp(&b.re));
+    let values = propagator.complex_eigenvalues();
+    let mut all: Vec<Exponent> = values.iter().map(of).filter(|own| own.frequency >= 0.0).collect();
+    all.sort_by(|a, b| a.growth.total_cmp(&b.growth));
     all
 }
 
 /// A root whose imaginary part is below this part of the real one is real: rounding leaves some 1e-12.
 const REAL: f64 = 1e-9;
-
-fn product(a: &[Vec<f64>], b: &[Vec<f64>]) -> Vec<Vec<f64>> {
-    let size = a.len();
-    (0..size).map(|i| (0..size).map(|j| (0..size).map(|k| a[i][k] * b[k][j]).sum()).collect()).collect()
-}
 
 #[cfg(test)]
 mod tests {
@@ -211,7 +129,7 @@ mod tests {
         let states: Vec<Vec<f64>> = (0..12).map(|k| state(0.1 * f64::from(k))).collect();
         let found = exponents(&propagator(&states).unwrap(), 0.1);
         assert_eq!(found.len(), 2);
-        assert!((found[0].re + 2.0).abs() < 1e-9 && found[0].im == 0.0, "{found:?}");
-        assert!((found[1].re + 0.5).abs() < 1e-9 && (found[1].im - 3.0).abs() < 1e-9, "{found:?}");
+        assert!((found[0].growth + 2.0).abs() < 1e-9 && found[0].frequency == 0.0, "{found:?}");
+        assert!((found[1].growth + 0.5).abs() < 1e-9 && (found[1].frequency - 3.0).abs() < 1e-9, "{found:?}");
     }
 }

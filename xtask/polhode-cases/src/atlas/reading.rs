@@ -1,10 +1,9 @@
 //! How a number is read out of runs.
 
-use super::limit::Limit;
 use super::modes::Modes;
 use super::runs::{Moves, SceneRun};
 use super::throws::Landings;
-use super::{limit, modes, own, runs, throws};
+use super::{modes, own, runs, throws};
 use crate::cases::{ALL, Context};
 use crate::row::Value;
 use serde::Deserialize;
@@ -31,8 +30,6 @@ pub enum Read {
     Measure(Vec<String>),
     /// Whether bodies move.
     Moves(Moves),
-    /// At which value of a key a scene changes.
-    Limit(Limit),
     /// How small disturbances grow or die away.
     Modes(Modes),
     /// How often a thrown body comes to rest on its faces.
@@ -66,7 +63,6 @@ impl Reading {
             Read::Own(name) => own::values(name, &self.run(context)?),
             Read::Measure(measures) => runs::measured(&self.run(context)?, measures),
             Read::Moves(moves) => runs::moved(&self.run(context)?, moves),
-            Read::Limit(limit) => limit::found(&self.run(context)?, limit).map(|value| vec![value]),
             Read::Modes(modes) => modes::found(&self.run(context)?, modes),
             Read::Landings(landings) => throws::shares(&self.run(context)?, landings, context.amount),
         }
@@ -90,10 +86,6 @@ impl Reading {
                 format!("polhode sweep example:{scene}{set} --vary method.error=off{measures}")
             }
             Read::Moves(_) | Read::Modes(_) | Read::Own(_) => format!("polhode run example:{scene}{set}"),
-            Read::Limit(limit) if limit.is_of_statics() => {
-                format!("polhode stands example:{scene}{set} --bisect {}", limit.interval())
-            }
-            Read::Limit(limit) => limit.command(scene, &set),
             Read::Landings(landings) => format!("polhode drop example:{scene}{set} -n {}", landings.throws),
             Read::Case(row) => format!("cargo xtask verify --only \"{}\"", row.case),
         }

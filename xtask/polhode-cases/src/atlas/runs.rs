@@ -11,7 +11,7 @@ use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
 
 /// What errors name as the place of a value that is changed.
-pub(super) const ORIGIN: &str = "atlas";
+const ORIGIN: &str = "atlas";
 
 /// Words of an outcome that keeps what the method promises.
 const COMPLETED: &str = "completed";
@@ -37,25 +37,13 @@ impl SceneRun {
         Ok(Self { path: path.to_owned(), set: set.iter().map(change).collect::<Result<_, _>>()? })
     }
 
-    /// The same with another value changed.
-    pub(super) fn with(&self, key: &str, value: &str) -> Self {
-        let mut own = self.clone();
-        own.set.push(Override::new(ORIGIN, key, value));
-        own
-    }
-
     /// The scene.
     pub(super) fn loaded(&self) -> Result<LoadedScene, Box<dyn Error>> {
         Ok(self.load(&self.set)?)
     }
 
-    /// What is changed in it.
-    pub(super) fn set(&self) -> &[Override] {
-        &self.set
-    }
-
     /// The scene with these values changed.
-    pub(super) fn load(&self, changes: &[Override]) -> Result<LoadedScene, polhode_scene::SceneFileError> {
+    fn load(&self, changes: &[Override]) -> Result<LoadedScene, polhode_scene::SceneFileError> {
         polhode_scene::load_with(&self.path, changes)
     }
 }
