@@ -63,10 +63,10 @@ test('a track that is cut goes on from there', () => {
 test('numbers and margins in words', () => {
   assert.deepEqual([worded(0.5, 'N'), worded(1234567), worded(1e-5), percent(0.5), percent(1e-16)], [
     '0.5 N',
-    '1.2e+6',
-    '1.0e-5',
+    '1.2e6',
+    '1e−5',
     '50 %',
-    '1.0e-16',
+    '1e−16',
   ]);
   const first = [{ body: 'brick', how: 'slides' }];
   const push = { of_weight: 0.25, tilt_rad: Math.atan(0.25), begins: [{ body: 'brick', how: 'tips' }] };
