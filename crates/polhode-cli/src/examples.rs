@@ -5,7 +5,7 @@ use crate::failure::Failure;
 use crate::scene_groups::SceneGroups;
 use crate::stdout;
 use crate::text::Table;
-use polhode_scene::{AtomicFile, load_with_meshes};
+use polhode_scene::{AtomicFile, load_with_files};
 use std::ffi::OsStr;
 use std::fmt::Write as _;
 use std::io::Write as _;
@@ -40,7 +40,7 @@ pub(crate) fn find(name: &str) -> Result<&'static str, Failure> {
 /// it.
 pub(crate) fn scenes() -> Result<(), Failure> {
     let groups = SceneGroups::read(GROUPS)?;
-    let title = |name: &str| Ok::<_, Failure>(load_with_meshes(name, find(name)?, MESHES, &[])?.title());
+    let title = |name: &str| Ok::<_, Failure>(load_with_files(name, find(name)?, MESHES, &[])?.title());
     let mut text = String::new();
     for group in &groups.groups {
         let mut table = Table::default();
@@ -118,9 +118,9 @@ mod tests {
     fn examples_load() {
         assert!(SCENES.len() > 30 && MESHES.len() > 2);
         for (name, text) in SCENES {
-            load_with_meshes(name, text, MESHES, &[]).unwrap_or_else(|error| panic!("{name}: {error}"));
+            load_with_files(name, text, MESHES, &[]).unwrap_or_else(|error| panic!("{name}: {error}"));
         }
-        load_with_meshes("new", FIRST_SCENE, &[], &[]).unwrap();
+        load_with_files("new", FIRST_SCENE, &[], &[]).unwrap();
     }
 
     /// Each example stands in one group, or is the wrong version of one that does.
@@ -138,7 +138,7 @@ mod tests {
     #[test]
     fn a_scene_gets_its_name() {
         for (name, text) in SCENES {
-            let loaded = load_with_meshes("x", &named(text, "mine"), MESHES, &[]).unwrap();
+            let loaded = load_with_files("x", &named(text, "mine"), MESHES, &[]).unwrap();
             assert_eq!(loaded.scene.name(), "mine", "{name}");
         }
     }

@@ -7,11 +7,11 @@ use crate::plots::cannot_write;
 use crate::progress::Progress;
 use crate::scene::{self, SceneText};
 use crate::{browser, examples, inputs, stdout};
-use polhode_scene::{AtomicFile, LoadedScene, load_with_meshes};
+use polhode_scene::{AtomicFile, LoadedScene, load_with_files};
 use polhode_study::play::native::Hashes;
 use polhode_study::play::{PlayError, Playground};
 use polhode_view::play_page::{self, Example, Given, NativeHashes};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 /// The native run that a page is held against ends after so long: its hashes up to there are in the page.
@@ -49,11 +49,10 @@ pub(crate) fn play(args: &PlayArgs, interrupt: &Interrupt) -> Result<(), Failure
     Ok(())
 }
 
-/// A scene with its text.
+/// A scene with the files that it names.
 struct Scene {
-    text: String,
     loaded: LoadedScene,
-    meshes: Vec<(String, Vec<u8>)>,
+    files: Vec<(String, Vec<u8>)>,
 }
 
 impl Scene {
@@ -61,12 +60,12 @@ impl Scene {
     fn read(path: &Path) -> Result<Self, Failure> {
         let source = SceneText::of(path)?;
         let loaded = source.load(&[])?;
-        let (text, meshes) = match &source {
-            SceneText::Stdin(text) => (text.clone(), Vec::new()),
-            SceneText::Example(_, text) => ((*text).to_owned(), shipped_meshes(text)),
-            SceneText::File(path) => (file_text(path)?, meshes_beside(path, &loaded)?),
+        let files = match &source {
+            SceneText::Stdin(_) => Vec::new(),
+            SceneText::Example(_, text) => shipped_meshes(text),
+            SceneText::File(path) => files_beside(path, &loaded)?,
         };
-        Ok(Self { text, loaded, meshes })
+        Ok(Self { loaded, files })
     }
 
     fn hashes(&self, goes_on: impl FnMut() -> bool) -> Result<Hashes, Failure> {
@@ -80,34 +79,28 @@ impl Scene {
     }
 }
 
-/// The text of a scene file.
-fn file_text(path: &Path) -> Result<String, Failure> {
-    if path.extension().is_some_and(|ending| ["urdf", "xml", "mjcf", "csv"].iter().any(|other| ending == *other)) {
-        let what = format!(
-            "error: {}: a playground begins with a scene file (.toml): `polhode view` shows robots and tables of boxes",
-            path.display()
-        );
-        return Err(Failure::Usage(what));
-    }
-    std::fs::read_to_string(path)
-        .map_err(|error| Failure::InputOutput(format!("error: cannot read {}: {error}", path.display())))
-}
-
 /// The meshes of the program that a text names.
 fn shipped_meshes(text: &str) -> Vec<(String, Vec<u8>)> {
     let named = examples::MESHES.iter().filter(|(name, _)| text.contains(&format!("\"{name}\"")));
     named.map(|(name, bytes)| ((*name).to_owned(), bytes.to_vec())).collect()
 }
 
-/// The meshes that a scene file names, by the names that it gives them.
-fn meshes_beside(path: &Path, loaded: &LoadedScene) -> Result<Vec<(String, Vec<u8>)>, Failure> {
+/// The files that a scene file names, by names that end as those that it gives them.
+fn files_beside(path: &Path, loaded: &LoadedScene) -> Result<Vec<(String, Vec<u8>)>, Failure> {
     let folder = path.parent().unwrap_or(Path::new(""));
-    let read = |file: &Path| {
+    let absolute = std::path::absolute(folder).unwrap_or_else(|_| folder.to_owned());
+    // A file elsewhere, as in a package of ROS, has the folder in common with the scene that is nearest to both: the page
+    // tells nobody where on this machine that is.
+    let name = |file: &Path| {
+        let mut folders = std::iter::once(folder).chain(absolute.ancestors());
+        folders.find_map(|above| file.strip_prefix(above).ok()).unwrap_or(file).to_string_lossy().into_owned()
+    };
+    let read = |file: &PathBuf| {
         let bytes = std::fs::read(file)
             .map_err(|error| Failure::InputOutput(format!("error: cannot read {}: {error}", file.display())))?;
-        Ok((file.strip_prefix(folder).unwrap_or(file).to_string_lossy().into_owned(), bytes))
+        Ok((name(file), bytes))
     };
-    loaded.mesh_files().iter().map(|file| read(file)).collect()
+    loaded.mesh_files().iter().map(read).collect()
 }
 
 /// The hashes as the page has them.
@@ -132,8 +125,8 @@ fn write(path: &Path, scene: Option<&Scene>, native: Option<NativeHashes>) -> Re
     let title = scene.map_or_else(|| TITLE.to_owned(), |scene| scene.loaded.title());
     let given = Given {
         title: &title,
-        scene: scene.map(|scene| scene.text.as_str()),
-        meshes: scene.map(|scene| scene.meshes.clone()).unwrap_or_default(),
+        scene: scene.map(|scene| scene.loaded.text()),
+        files: scene.map(|scene| scene.files.clone()).unwrap_or_default(),
         examples: examples.map(|((name, text), title)| Example { name, title, text }).collect(),
         native,
     };
@@ -148,6 +141,6 @@ const MESH_KEY: &str = "file = \"";
 
 /// The titles of the shipped scenes.
 fn titles() -> Result<Vec<String>, Failure> {
-    let title = |(name, text): &(&str, &str)| Ok(load_with_meshes(name, text, examples::MESHES, &[])?.title());
+    let title = |(name, text): &(&str, &str)| Ok(load_with_files(name, text, examples::MESHES, &[])?.title());
     examples::SCENES.iter().map(title).collect()
 }

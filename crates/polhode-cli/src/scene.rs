@@ -5,7 +5,7 @@ use crate::examples;
 use crate::failure::{self, Failure};
 use polhode::{Effects, Geometry, Plan, Simulation, SimulationError};
 use polhode_scene::robot::Severity;
-use polhode_scene::{LoadedScene, Override, SceneFileError, load_text, load_with, load_with_meshes};
+use polhode_scene::{LoadedScene, Override, SceneFileError, load_text, load_with, load_with_files};
 use std::ffi::OsStr;
 use std::io::Read as _;
 use std::path::Path;
@@ -68,7 +68,7 @@ impl<'a> SceneText<'a> {
         match self {
             Self::File(path) => load_with(path, changes),
             Self::Stdin(text) => load_text(STDIN, text, changes),
-            Self::Example(name, text) => load_with_meshes(name, text, examples::MESHES, changes),
+            Self::Example(name, text) => load_with_files(name, text, examples::MESHES, changes),
         }
     }
 

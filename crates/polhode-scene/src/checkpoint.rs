@@ -12,9 +12,9 @@
 
 use crate::document::Override;
 use crate::error::SceneFileError;
+use crate::files::{Fault, Files};
 use crate::load::{LoadedScene, load_with};
 use crate::output::AtomicFile;
-use crate::read;
 use polhode::{Simulation, SimulationError, Snapshot, SnapshotError};
 use serde::{Deserialize, Serialize};
 use std::io::{self, Read, Write};
@@ -168,9 +168,9 @@ impl Checkpoint {
     /// # Errors
     /// When it cannot be read, is no checkpoint, or has been cut short or altered.
     pub fn read(path: &Path) -> Result<Self, CheckpointError> {
-        let bytes = read::bounded(path, LARGEST_CHECKPOINT).map_err(|fault| match fault {
-            read::Fault::Io(source) => CheckpointError::Read { path: path.to_owned(), source },
-            read::Fault::TooLarge => CheckpointError::TooLarge { path: path.to_owned(), limit: LARGEST_CHECKPOINT },
+        let bytes = Files::Disk.bounded(path, LARGEST_CHECKPOINT).map_err(|fault| match fault {
+            Fault::Io(source) => CheckpointError::Read { path: path.to_owned(), source },
+            Fault::TooLarge => CheckpointError::TooLarge { path: path.to_owned(), limit: LARGEST_CHECKPOINT },
         })?;
         let (header, snapshot) =
             split(&bytes).ok_or_else(|| CheckpointError::NotACheckpoint { path: path.to_owned() })?;

@@ -25,6 +25,7 @@
 //! | `boxes` | a table of boxes as a scene |
 //! | `trajectory_rows` | the rows of a trajectory in a CSV file, read one by one |
 //! | `scaled_arrays` | the arrays of a scene with another number of bodies |
+//! | `files` | the files that a scene names: on disk, or given with its text |
 //! | `mesh_file_error` | why a mesh file could not be used |
 //!
 //! ```
@@ -50,7 +51,7 @@
 //!
 //! | stage | what it does | where |
 //! |---|---|---|
-//! | read | reads the file, up to a largest length | `load.rs`, `read.rs` |
+//! | read | reads the file, up to a largest length | `load.rs`, `files.rs` |
 //! | document | parses the text | `document/mod.rs`, `document/repair.rs` |
 //! | | adds values set from outside, and keeps the place of every key | `document/overrides.rs`, `document/tree.rs` |
 //! | format | turns keys into plain data | `format/scene.rs` |
@@ -82,8 +83,8 @@ pub mod uncertain;
 mod boxes;
 mod build;
 mod document;
+mod files;
 mod mesh_file_error;
-mod read;
 mod scaled_arrays;
 mod trajectory_rows;
 
@@ -92,7 +93,8 @@ pub use checkpoint::{Checkpoint, CheckpointError};
 pub use compare::{CompareError, Comparison, RowPair, Tolerance, compare, compare_rows};
 pub use document::Override;
 pub use error::{MeshFileError, Place, Refusal, Refused, SceneFileError, is_slip_of, weld_tolerance};
-pub use load::{LoadedScene, load, load_text, load_with, load_with_meshes};
+pub use files::GivenFiles;
+pub use load::{LoadedScene, load, load_text, load_with, load_with_files, scene_text_of};
 pub use mesh_file::read_mesh;
 pub use mesh_report::{Filling, MeshReport};
 pub use output::{AtomicFile, CsvStream, LeftBehind, OutputError, Outputs, Unfinished};

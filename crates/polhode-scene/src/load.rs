@@ -4,9 +4,8 @@ use crate::boxes;
 use crate::build::{self, Built, PlacedRobot};
 use crate::document::{Document, KeyPath, Override};
 use crate::error::{Refusal, SceneFileError};
+use crate::files::{Fault, Files, GivenFiles, SceneFolder};
 use crate::format::{ArrayEntry, SceneFile};
-use crate::mesh_file::MeshFolder;
-use crate::read;
 use crate::robot::{self, Finding};
 use crate::uncertain::Uncertain;
 use polhode::scene::Appearance;
@@ -23,7 +22,7 @@ pub struct LoadedScene {
     pub scene: Scene,
     document: Document,
     file: SceneFile,
-    meshes: MeshFolder,
+    folder: SceneFolder,
     robots: Vec<PlacedRobot>,
     uncertain: Vec<Uncertain>,
     appearance: Appearance,
@@ -35,13 +34,22 @@ impl LoadedScene {
         &self.appearance
     }
 
-    /// The files of meshes and robots that the scene was made from; those inside the program are none.
+    /// The text of its file, without what is set from outside; where a robot or a table stands for it, the text that was
+    /// made of that.
+    pub fn text(&self) -> &str {
+        self.document.text()
+    }
+
+    /// The files on disk of meshes and robots that the scene was made from.
     pub fn mesh_files(&self) -> Vec<PathBuf> {
+        if self.folder.files != Files::Disk {
+            return Vec::new();
+        }
         let mut files = Vec::new();
         let of_bodies = self.file.bodies.iter().filter_map(|body| body.shape.as_ref());
         let of_arrays = self.file.arrays.iter().filter_map(|array| array.shape.as_ref());
         of_bodies.chain(of_arrays).for_each(|shape| shape.add_files(&mut files));
-        let of_shapes = files.into_iter().filter_map(|file| self.meshes.path(file));
+        let of_shapes = files.into_iter().map(|file| self.folder.path(file));
         of_shapes.chain(self.robots.iter().flat_map(|robot| robot.robot.all_files())).collect()
     }
 
@@ -134,14 +142,11 @@ pub fn load_with(path: &Path, overrides: &[Override]) -> Result<LoadedScene, Sce
     if robot::is_robot_file(path) {
         return load_robot(path, overrides);
     }
-    let bytes = read::bounded(path, LARGEST_SCENE_FILE).map_err(|fault| match fault {
-        read::Fault::Io(source) => SceneFileError::Read { path: path.to_owned(), source },
-        read::Fault::TooLarge => SceneFileError::TooLarge { path: path.to_owned(), limit: LARGEST_SCENE_FILE },
-    })?;
+    let bytes = read_scene_file(Files::Disk, path)?;
     if boxes::is_table(path) {
         let origin = format!("the scene of {}", path.display());
         let text = boxes::scene_of(path, &bytes)?;
-        return from_document(Document::new(&origin, text, overrides), &MeshFolder::beside(path), &name_of(path));
+        return from_document(Document::new(&origin, text, overrides), &SceneFolder::beside(path), &name_of(path));
     }
     let text = String::from_utf8(bytes).map_err(|error| {
         let offset = error.utf8_error().valid_up_to();
@@ -150,9 +155,17 @@ pub fn load_with(path: &Path, overrides: &[Override]) -> Result<LoadedScene, Sce
     })?;
     from_document(
         Document::new(&path.display().to_string(), text, overrides),
-        &MeshFolder::beside(path),
+        &SceneFolder::beside(path),
         &name_of(path),
     )
+}
+
+/// The bytes of a scene file.
+fn read_scene_file(files: Files, path: &Path) -> Result<Vec<u8>, SceneFileError> {
+    files.bounded(path, LARGEST_SCENE_FILE).map_err(|fault| match fault {
+        Fault::Io(source) => SceneFileError::Read { path: path.to_owned(), source },
+        Fault::TooLarge => SceneFileError::TooLarge { path: path.to_owned(), limit: LARGEST_SCENE_FILE },
+    })
 }
 
 /// The name of a scene that has none: that of its file.
@@ -162,9 +175,9 @@ fn name_of(path: &Path) -> String {
 
 /// A scene of one robot: its file stands for it.
 fn load_robot(path: &Path, overrides: &[Override]) -> Result<LoadedScene, SceneFileError> {
-    let text = robot::scene_of(path)?;
+    let text = robot::scene_of(Files::Disk, path)?;
     let origin = format!("the scene of {}", path.display());
-    let folder = MeshFolder::beside(path);
+    let folder = SceneFolder::beside(path);
     from_document(Document::new(&origin, text, overrides), &folder, &name_of(path)).map_err(SceneFileError::of_robot)
 }
 
@@ -173,27 +186,40 @@ fn load_robot(path: &Path, overrides: &[Override]) -> Result<LoadedScene, SceneF
 /// # Errors
 /// As [`load`].
 pub fn load_text(origin: &str, text: &str, overrides: &[Override]) -> Result<LoadedScene, SceneFileError> {
-    let folder = MeshFolder::beside(Path::new(origin));
+    let folder = SceneFolder::beside(Path::new(origin));
     from_document(Document::new(origin, text.to_owned(), overrides), &folder, origin)
 }
 
-/// Loads a scene from text that has mesh files with it, each by the name that the scene gives it.
+/// Loads a scene from text that has the files of its meshes and robots with it, each by the name that the scene gives it.
 ///
 /// # Errors
 /// As [`load`].
-pub fn load_with_meshes(
+pub fn load_with_files(
     origin: &str,
     text: &str,
-    meshes: &'static [(&'static str, &'static [u8])],
+    files: GivenFiles,
     overrides: &[Override],
 ) -> Result<LoadedScene, SceneFileError> {
-    from_document(Document::new(origin, text.to_owned(), overrides), &MeshFolder::inside(meshes), origin)
+    from_document(Document::new(origin, text.to_owned(), overrides), &SceneFolder::given(files), origin)
 }
 
-fn from_document(document: Document, folder: &MeshFolder, name: &str) -> Result<LoadedScene, SceneFileError> {
+/// The text of the scene that a robot file or a table of boxes stands for, as [`load`] has it: one of the given files.
+///
+/// # Errors
+/// When the robot file or the table is refused.
+pub fn scene_text_of(name: &str, files: GivenFiles) -> Result<String, SceneFileError> {
+    let (path, files) = (Path::new(name), Files::Given(files));
+    if robot::is_robot_file(path) {
+        return Ok(robot::scene_of(files, path)?);
+    }
+    let bytes = read_scene_file(files, path)?;
+    boxes::scene_of(path, &bytes)
+}
+
+fn from_document(document: Document, folder: &SceneFolder, name: &str) -> Result<LoadedScene, SceneFileError> {
     let (file, Built { scene, robots, appearance }) = document.read(|file| build::scene(file, folder, name))?;
     let uncertain = uncertain_of(&document, &file)?;
-    Ok(LoadedScene { scene, document, file, meshes: folder.clone(), robots, uncertain, appearance })
+    Ok(LoadedScene { scene, document, file, folder: folder.clone(), robots, uncertain, appearance })
 }
 
 /// What is uncertain; the scene takes each of its keys.

@@ -23,8 +23,8 @@ pub struct Given<'a> {
     pub title: &'a str,
     /// The text of the scene; none where the page begins with what was typed before.
     pub scene: Option<&'a str>,
-    /// Meshes that scenes name, by these names.
-    pub meshes: Vec<(String, Vec<u8>)>,
+    /// Files that the scene names, by these names.
+    pub files: Vec<(String, Vec<u8>)>,
     /// Further scenes to choose from.
     pub examples: Vec<Example<'a>>,
     /// The hashes of the scene by the program that writes the page.
@@ -58,8 +58,8 @@ pub struct NativeHashes {
 /// # Errors
 /// Those of writing.
 pub fn write<W: Write>(out: &mut W, given: &Given<'_>) -> Result<(), ViewError> {
-    let meshes: serde_json::Map<String, serde_json::Value> =
-        given.meshes.iter().map(|(name, bytes)| (name.clone(), json!(text::base64(bytes)))).collect();
+    let files: serde_json::Map<String, serde_json::Value> =
+        given.files.iter().map(|(name, bytes)| (name.clone(), json!(text::base64(bytes)))).collect();
     let examples = given
         .examples
         .iter()
@@ -72,7 +72,7 @@ pub fn write<W: Write>(out: &mut W, given: &Given<'_>) -> Result<(), ViewError> 
     let begins = json!({
         "title": given.title,
         "text": given.scene,
-        "meshes": meshes,
+        "files": files,
         "examples": examples,
         "native": native,
     });

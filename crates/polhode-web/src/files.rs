@@ -1,6 +1,6 @@
-//! Mesh files that were dropped on the page. They stay in the page's memory until it is closed.
+//! Files of meshes, robots and tables that were dropped on the page. They stay in the page's memory until it is closed.
 
-use polhode_study::play::FrozenMeshes;
+use polhode_scene::GivenFiles;
 
 /// Files by name.
 #[derive(Debug, Default)]
@@ -16,7 +16,7 @@ impl Files {
     }
 
     /// All of them.
-    pub(crate) fn frozen(&self) -> FrozenMeshes {
+    pub(crate) fn given(&self) -> GivenFiles {
         Vec::leak(self.files.clone())
     }
 }

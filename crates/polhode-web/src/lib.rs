@@ -8,7 +8,7 @@
 //! |---|---|
 //! | `playground` | [`Playground`] |
 //! | `fault` | errors as JSON |
-//! | `files` | mesh files that were dropped on the page |
+//! | `files` | files that were dropped on the page |
 
 mod fault;
 mod files;

@@ -3,7 +3,7 @@
 use crate::fault::thrown;
 use crate::files::Files;
 use polhode::spatial::{DVec3, MassProperties};
-use polhode_scene::Override;
+use polhode_scene::{Override, scene_text_of};
 use polhode_study::play::{self, PlayError};
 use polhode_view::live;
 use wasm_bindgen::JsValue;
@@ -31,9 +31,17 @@ impl Playground {
         Self::default()
     }
 
-    /// Adds a mesh file, which scenes name.
+    /// Adds a file of a mesh or a robot, which scenes name.
     pub fn add_file(&mut self, name: &str, bytes: Vec<u8>) {
         self.files.add(name, bytes);
+    }
+
+    /// The text of the scene that a robot file or a table of boxes stands for, which was added before.
+    ///
+    /// # Errors
+    /// When the file is refused.
+    pub fn scene_of(&self, name: &str) -> Result<String, JsValue> {
+        scene_text_of(name, self.files.given()).map_err(|error| thrown(&error.into()))
     }
 
     /// Loads a scene; `changes` holds a line `key=value` for each value that is set from outside. What the page shows
@@ -43,7 +51,7 @@ impl Playground {
     /// When the scene is refused; the one before goes on.
     pub fn load(&mut self, text: &str, changes: &str) -> Result<String, JsValue> {
         let changes: Vec<Override> = changes.lines().filter_map(|line| Override::parse(PAGE, line)).collect();
-        let own = play::Playground::new(ORIGIN, text, self.files.frozen(), &changes).map_err(|error| thrown(&error))?;
+        let own = play::Playground::new(ORIGIN, text, self.files.given(), &changes).map_err(|error| thrown(&error))?;
         let loaded = own.loaded();
         let shown = live::scene_json(
             &loaded.scene,

@@ -32,10 +32,31 @@ fn a_page_with_meshes() {
     place.expect(0, &["new", "ramp", "--from", "box-down-ramp"]);
     place.expect(0, &["play", "ramp.toml", "-o", "play.html"]);
     let begins = given(&place.read("play.html"));
-    let meshes: Vec<&String> = begins["meshes"].as_object().unwrap().keys().collect();
+    let meshes: Vec<&String> = begins["files"].as_object().unwrap().keys().collect();
     assert!(!meshes.is_empty());
     let text = begins["text"].as_str().unwrap();
     assert!(meshes.iter().all(|name| text.contains(&format!("\"{name}\""))), "{meshes:?}");
+}
+
+/// A robot file stands for a scene, in a page as elsewhere; the page holds its meshes, wherever they are, and names no
+/// folder of this machine.
+#[test]
+fn a_page_with_a_robot() {
+    let place = Place::new();
+    let cube = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+    fs::create_dir_all(place.path("parts/meshes")).unwrap();
+    fs::create_dir_all(place.path("parts/urdf")).unwrap();
+    place.write("parts/meshes/link.obj", cube);
+    let robot = "<robot name=\"one\"><link name=\"base\"><inertial><mass value=\"1\"/>\
+        <inertia ixx=\"1\" iyy=\"1\" izz=\"1\" ixy=\"0\" ixz=\"0\" iyz=\"0\"/></inertial><collision><geometry>\
+        <mesh filename=\"package://parts/meshes/link.obj\"/></geometry></collision></link></robot>";
+    place.write("parts/urdf/one.urdf", robot);
+    place.expect(0, &["play", "parts/urdf/one.urdf", "-o", "play.html"]);
+    let begins = given(&place.read("play.html"));
+    let files: Vec<&String> = begins["files"].as_object().unwrap().keys().collect();
+    assert_eq!(files, ["meshes/link.obj", "one.urdf"]);
+    assert!(begins["text"].as_str().unwrap().contains("file = \"one.urdf\""));
+    assert!(begins["native"]["hash"].is_string());
 }
 
 /// Without a scene the page has none, and shipped scenes to choose from; text that ends elements ends none of the page.

@@ -7,13 +7,13 @@ use super::layout::{self, MOST_BODIES, Model, Piece};
 use super::materials::Materials;
 use crate::document::KeyPath;
 use crate::error::Refusal;
+use crate::files::SceneFolder;
 use crate::format::{ArrayEntry, BodyEntry, LayoutEntry, SceneFile, ShapeEntry, SpringersName};
-use crate::mesh_file::MeshFolder;
 use polhode::spatial::Pose;
 use polhode::{Body, Geometry, SceneError};
 
 /// The bodies of all arrays, in the order of the file.
-pub(super) fn build(file: &SceneFile, materials: &Materials, folder: &MeshFolder, faults: &mut Faults) -> Vec<Body> {
+pub(super) fn build(file: &SceneFile, materials: &Materials, folder: &SceneFolder, faults: &mut Faults) -> Vec<Body> {
     let mut bodies = Vec::new();
     let mut total = file.bodies.len() as u64;
     for (index, entry) in file.arrays.iter().enumerate() {

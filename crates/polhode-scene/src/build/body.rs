@@ -7,8 +7,8 @@ use super::shape::{self, Form, Mobility};
 use super::{mass, motion, pivot, placement};
 use crate::document::KeyPath;
 use crate::error::Refusal;
+use crate::files::SceneFolder;
 use crate::format::{BodyEntry, Exactly};
-use crate::mesh_file::MeshFolder;
 use glam::DVec3;
 use polhode::spatial::{Inertia, Mass, MassProperties, Velocity};
 use polhode::{Body, SceneError};
@@ -17,7 +17,7 @@ use polhode::{Body, SceneError};
 pub(super) fn build(
     entry: &BodyEntry,
     materials: &Materials,
-    folder: &MeshFolder,
+    folder: &SceneFolder,
     path: &KeyPath,
 ) -> Result<Body, Fault> {
     let mobility = if entry.fixed || entry.motion.is_some() { Mobility::Fixed } else { Mobility::Moves };

@@ -5,17 +5,16 @@ use super::materials::Materials;
 use super::{drives, placement};
 use crate::document::KeyPath;
 use crate::error::Refusal;
+use crate::files::SceneFolder;
 use crate::format::{BaseName, ModelEntry, SceneFile, UnphysicalName};
-use crate::mesh_file::MeshFolder;
 use crate::robot::{
-    Assembly, Base, Finding, NamedJoint, Placement, Robot, RobotDefect, RobotFile, RobotFileError, RobotGear,
-    SelfCollision, Unphysical, assembled, read_robot,
+    self, Assembly, Base, Finding, NamedJoint, Placement, Robot, RobotDefect, RobotFile, RobotFileError, RobotGear,
+    SelfCollision, Unphysical, assembled,
 };
 use polhode::scene::{Coordinate, CoordinateMotion, DEFAULT_GRAVITY, Joint, Material};
 use polhode::spatial::DVec3;
 use polhode::{Body, BodyId};
 use std::collections::BTreeMap;
-use std::io;
 use std::path::PathBuf;
 use std::sync::Arc;
 
@@ -49,7 +48,7 @@ pub(crate) struct PlacedRobot {
 /// The robots of all models, whose bodies are added to the list, and what they are made of.
 pub(super) fn build(
     file: &SceneFile,
-    (materials, folder): (&Materials, &MeshFolder),
+    (materials, folder): (&Materials, &SceneFolder),
     bodies: &mut Vec<Body>,
     faults: &mut Faults,
 ) -> Vec<PlacedRobot> {
@@ -68,17 +67,13 @@ pub(super) fn build(
 /// The robot of an entry, and where and how it stands.
 fn read(
     entry: &ModelEntry,
-    (materials, folder): (&Materials, &MeshFolder),
+    (materials, folder): (&Materials, &SceneFolder),
     path: &KeyPath,
 ) -> Result<(RobotFile, Placement), Fault> {
     let placement = placed(entry, materials, path)?;
     let refused = |error: RobotFileError| (path.key("file"), Refusal::Robot(error));
-    let missing = || io::Error::new(io::ErrorKind::NotFound, "a scene inside the program has no robot files");
-    let file = folder
-        .path(&entry.file)
-        .ok_or_else(|| refused(RobotFileError::Read { path: PathBuf::from(&entry.file), source: missing() }))?;
-    let packages: Vec<PathBuf> = entry.packages.iter().filter_map(|package| folder.path(package)).collect();
-    Ok((read_robot(&file, &packages).map_err(refused)?, placement))
+    let packages: Vec<PathBuf> = entry.packages.iter().map(|package| folder.path(package)).collect();
+    Ok((robot::read_robot_of(folder.files, &folder.path(&entry.file), &packages).map_err(refused)?, placement))
 }
 
 /// The robot in the scene; its bodies are added to the list.

@@ -8,8 +8,8 @@ use super::track::Tracks;
 use super::{appearance, array, body, coordinate_motion, force, gear, joint, method};
 use crate::document::KeyPath;
 use crate::error::Refusal;
+use crate::files::SceneFolder;
 use crate::format::{self, NoContactEntry, SceneFile};
-use crate::mesh_file::MeshFolder;
 use polhode::contact::ShapeError;
 use polhode::scene::{Appearance, Coordinate, CoordinateMotion};
 use polhode::{Body, BodyId, JointId, Scene, SceneBuilder, SceneError};
@@ -30,7 +30,7 @@ pub(crate) struct Built {
 /// # Errors
 /// All that is refused: at least one. What is refused is replaced, so that the rest can be looked at; errors of the
 /// whole are looked for when its parts are sound.
-pub(crate) fn scene(file: &SceneFile, folder: &MeshFolder, name: &str) -> Result<Built, Vec<Fault>> {
+pub(crate) fn scene(file: &SceneFile, folder: &SceneFolder, name: &str) -> Result<Built, Vec<Fault>> {
     if file.format != format::VERSION {
         return Err(vec![(KeyPath::of(&["format"]), Refusal::Version(file.format))]);
     }

@@ -6,8 +6,9 @@ use super::matter::Matter;
 use super::placement;
 use crate::document::KeyPath;
 use crate::error::Refusal;
+use crate::files::SceneFolder;
 use crate::format::{CompoundEntry, FileEntry, MeshEntry, PartEntry, RadiusHeightEntry, ShapeEntry, WedgeEntry};
-use crate::mesh_file::MeshFolder;
+use crate::mesh_file::read_mesh_of;
 use glam::DVec2;
 use polhode::contact::{ConvexPolyhedron, Shape};
 use polhode::mesh::{
@@ -40,7 +41,7 @@ pub(super) enum Mobility {
 pub(super) fn build(
     entry: &ShapeEntry,
     mobility: Mobility,
-    folder: &MeshFolder,
+    folder: &SceneFolder,
     path: &KeyPath,
 ) -> Result<Form, Fault> {
     match entry {
@@ -105,7 +106,7 @@ pub(super) fn build(
 }
 
 /// The convex solid of a mesh file.
-fn convex(entry: &FileEntry, folder: &MeshFolder, path: &KeyPath) -> Result<Form, Fault> {
+fn convex(entry: &FileEntry, folder: &SceneFolder, path: &KeyPath) -> Result<Form, Fault> {
     let mesh = SolidMesh::new(read((&entry.file, entry.scale), folder, path)?);
     let mesh = mesh.map_err(|error| no_solid(&entry.file, error, path))?;
     let polyhedron = ConvexPolyhedron::from_mesh(&mesh).map_err(|error| (path.key("file"), error.into()))?;
@@ -128,7 +129,7 @@ fn radius_and_height(entry: &RadiusHeightEntry, path: &KeyPath) -> Result<(f64, 
 }
 
 /// A mesh file as ground, convex solid or solid of any form.
-fn mesh(entry: &MeshEntry, mobility: Mobility, folder: &MeshFolder, path: &KeyPath) -> Result<Form, Fault> {
+fn mesh(entry: &MeshEntry, mobility: Mobility, folder: &SceneFolder, path: &KeyPath) -> Result<Form, Fault> {
     let surface = read((&entry.file, entry.scale), folder, path)?;
     let mesh = match (SolidMesh::new(surface.clone()), mobility) {
         (Ok(mesh), _) => mesh,
@@ -168,8 +169,9 @@ fn geometry_of(mesh: &SolidMesh) -> Geometry {
 }
 
 /// The mesh in a file, in metres: its name, and what its coordinates are multiplied by.
-fn read((file, scale): (&str, Option<f64>), folder: &MeshFolder, path: &KeyPath) -> Result<TriangleMesh, Fault> {
-    let mesh = folder.read(file).map_err(|error| (path.key("file"), Refusal::MeshFile(error)))?;
+fn read((file, scale): (&str, Option<f64>), folder: &SceneFolder, path: &KeyPath) -> Result<TriangleMesh, Fault> {
+    let mesh =
+        read_mesh_of(folder.files, &folder.path(file)).map_err(|error| (path.key("file"), Refusal::MeshFile(error)))?;
     let Some(scale) = scale else { return Ok(mesh) };
     let scale = positive(scale, &path.key("scale"))?;
     mesh.scaled(scale).map_err(|error| (path.key("scale"), Refusal::Mesh(error)))
@@ -181,7 +183,7 @@ fn no_solid(file: &str, source: MeshError, path: &KeyPath) -> Fault {
 }
 
 /// Parts that are fixed to each other.
-fn compound(entry: &CompoundEntry, folder: &MeshFolder, path: &KeyPath) -> Result<Form, Fault> {
+fn compound(entry: &CompoundEntry, folder: &SceneFolder, path: &KeyPath) -> Result<Form, Fault> {
     let mut shapes = Vec::with_capacity(entry.parts.len());
     let mut matters = Vec::with_capacity(entry.parts.len());
     for (index, part) in entry.parts.iter().enumerate() {
@@ -196,7 +198,7 @@ fn compound(entry: &CompoundEntry, folder: &MeshFolder, path: &KeyPath) -> Resul
 
 fn part(
     entry: &PartEntry,
-    folder: &MeshFolder,
+    folder: &SceneFolder,
     path: &KeyPath,
 ) -> Result<(Shape, (Matter, polhode::spatial::Pose)), Fault> {
     let pose =

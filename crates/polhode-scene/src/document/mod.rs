@@ -51,6 +51,11 @@ impl Document {
         Self { sources, set }
     }
 
+    /// The text of the file.
+    pub(crate) fn text(&self) -> &str {
+        self.sources.texts().0.text()
+    }
+
     /// What has set a key from outside last.
     pub(crate) fn set_by(&self, key: &str) -> Option<&str> {
         self.set.iter().rev().find(|(set, _)| set == key).map(|(_, origin)| origin.as_str())

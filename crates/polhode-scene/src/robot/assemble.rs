@@ -190,7 +190,7 @@ pub(crate) fn assembled(
         }
     }
     let body_of = vec![None; groups.len()];
-    let (meshes, made) = (Meshes::default(), Assembly::default());
+    let (meshes, made) = (Meshes::new(robot.source), Assembly::default());
     let mut making = Making {
         robot,
         placement,

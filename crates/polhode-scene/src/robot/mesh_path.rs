@@ -3,6 +3,7 @@
 //! A package is a folder of its name. It is looked for in the folders that the scene names, then beside the robot file
 //! and in each folder above it.
 
+use crate::files::Files;
 use std::path::{Path, PathBuf};
 
 /// Most folders above a robot file that are looked at.
@@ -11,6 +12,8 @@ const HIGHEST: usize = 16;
 /// Where to look for meshes.
 #[derive(Debug, Clone)]
 pub(super) struct MeshPaths {
+    /// Where files are.
+    files: Files,
     /// The folder of the robot file.
     folder: PathBuf,
     /// Folders that hold packages.
@@ -19,8 +22,13 @@ pub(super) struct MeshPaths {
 
 impl MeshPaths {
     /// For a robot file.
-    pub(super) fn new(file: &Path, packages: &[PathBuf]) -> Self {
-        Self { folder: file.parent().map(Path::to_owned).unwrap_or_default(), packages: packages.to_vec() }
+    pub(super) fn new(files: Files, file: &Path, packages: &[PathBuf]) -> Self {
+        Self { files, folder: file.parent().map(Path::to_owned).unwrap_or_default(), packages: packages.to_vec() }
+    }
+
+    /// Where files are.
+    pub(super) fn files(&self) -> Files {
+        self.files
     }
 
     /// The folder of the robot file.
@@ -36,7 +44,7 @@ impl MeshPaths {
         }
         let path = Path::new(name.strip_prefix("file://").unwrap_or(name));
         let path = if path.is_absolute() { path.to_owned() } else { self.folder.join(path) };
-        path.is_file().then_some(path)
+        self.files.holds(&path).then_some(path)
     }
 
     /// `PACKAGE/path` in a folder that holds the package, or that is the package.
@@ -49,7 +57,7 @@ impl MeshPaths {
             let held = folder.join(inside);
             let is_package = folder.file_name().is_some_and(|own| own == package);
             let own = is_package.then(|| folder.join(rest));
-            std::iter::once(held).chain(own).find(|path| path.is_file())
+            std::iter::once(held).chain(own).find(|path| self.files.holds(path))
         })
     }
 }

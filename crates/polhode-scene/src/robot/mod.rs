@@ -55,6 +55,7 @@ pub use model::{
     Actuator, Closure, ClosureKind, EffortLimit, Follower, Geom, GeomForm, Inertial, Keyframe, Link, Robot,
     RobotCoordinate, RobotJoint, RobotJointKind, Root,
 };
+pub(crate) use read::read_robot_of;
 pub use read::{RobotFile, read_robot, read_text};
 pub(crate) use stage::{is_robot_file, scene_of};
 pub use text::{LARGEST_ROBOT_FILE, RobotFileError};

@@ -5,6 +5,7 @@
 //! link.
 
 use super::finding::RobotPlace;
+use crate::files::Files;
 use glam::{DMat3, DVec3};
 use polhode::spatial::{Pose, UnitVector};
 use std::path::PathBuf;
@@ -38,6 +39,8 @@ pub struct Robot {
     pub root: Root,
     /// The files that it was read from.
     pub files: Vec<PathBuf>,
+    /// Where these and its meshes are.
+    pub(crate) source: Files,
 }
 
 /// What the root link of a file stands for.

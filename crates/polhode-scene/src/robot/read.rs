@@ -9,6 +9,7 @@ use super::reading::Reading;
 use super::text::{RobotFileError, text_of};
 use super::weld::Unphysical;
 use super::{mjcf, tree, urdf, weld};
+use crate::files::Files;
 use std::path::{Path, PathBuf};
 
 /// A robot, and what was found in its file.
@@ -26,7 +27,12 @@ pub struct RobotFile {
 /// # Errors
 /// When the file cannot be read or is refused, with all that was found.
 pub fn read_robot(path: &Path, packages: &[PathBuf]) -> Result<RobotFile, RobotFileError> {
-    read_text(path, &text_of(path)?, packages)
+    read_robot_of(Files::Disk, path, packages)
+}
+
+/// As [`read_robot`], from where the files are.
+pub(crate) fn read_robot_of(files: Files, path: &Path, packages: &[PathBuf]) -> Result<RobotFile, RobotFileError> {
+    parsed(files, path, &text_of(files, path)?, packages)
 }
 
 /// Reads a robot from the text of a file of this name, to which the names of its meshes are relative.
@@ -34,6 +40,10 @@ pub fn read_robot(path: &Path, packages: &[PathBuf]) -> Result<RobotFile, RobotF
 /// # Errors
 /// As [`read_robot`].
 pub fn read_text(path: &Path, text: &str, packages: &[PathBuf]) -> Result<RobotFile, RobotFileError> {
+    parsed(Files::Disk, path, text, packages)
+}
+
+fn parsed(files: Files, path: &Path, text: &str, packages: &[PathBuf]) -> Result<RobotFile, RobotFileError> {
     let mut findings = Findings::default();
     let refused = |findings: Findings| Err(RobotFileError::Refused(findings.into_sorted()));
     let root = match Element::parse(path, text) {
@@ -45,7 +55,7 @@ pub fn read_text(path: &Path, text: &str, packages: &[PathBuf]) -> Result<RobotF
         }
     };
     let mut reading = Reading::default();
-    let paths = MeshPaths::new(path, packages);
+    let paths = MeshPaths::new(files, path, packages);
     let robot = match root.name.as_str() {
         "robot" => urdf::read(&root, &paths, &mut reading),
         "mujoco" => mjcf::read(root, &paths, &mut reading),

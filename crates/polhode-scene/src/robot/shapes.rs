@@ -2,7 +2,8 @@
 
 use super::finding::{Findings, RobotDefect};
 use super::model::{Geom, GeomForm};
-use crate::mesh_file::read_mesh;
+use crate::files::Files;
+use crate::mesh_file::read_mesh_of;
 use glam::DVec3;
 use polhode::contact::{ConvexPolyhedron, Shape};
 use polhode::mesh::TriangleMesh;
@@ -14,11 +15,21 @@ use std::sync::Arc;
 /// Endings of mesh files that are known and not read.
 const NOT_READ: [&str; 6] = ["dae", "gltf", "glb", "usd", "msh", "skn"];
 
-/// Meshes that have been read, by their paths.
-#[derive(Debug, Default)]
-pub(super) struct Meshes(BTreeMap<PathBuf, Arc<TriangleMesh>>);
+/// Meshes that have been read.
+#[derive(Debug)]
+pub(super) struct Meshes {
+    /// Where files are.
+    files: Files,
+    /// By their paths.
+    read: BTreeMap<PathBuf, Arc<TriangleMesh>>,
+}
 
 impl Meshes {
+    /// None yet.
+    pub(super) fn new(files: Files) -> Self {
+        Self { files, read: BTreeMap::new() }
+    }
+
     /// The mesh of a geometry, in metres.
     ///
     /// # Errors
@@ -28,11 +39,11 @@ impl Meshes {
             return Err(RobotDefect::MeshFormat(name.to_owned()));
         }
         let path = path.ok_or_else(|| RobotDefect::MeshNotFound(name.to_owned()))?;
-        let mesh = if let Some(mesh) = self.0.get(path) {
+        let mesh = if let Some(mesh) = self.read.get(path) {
             mesh.clone()
         } else {
-            let mesh = Arc::new(read_mesh(path)?);
-            self.0.insert(path.to_owned(), mesh.clone());
+            let mesh = Arc::new(read_mesh_of(self.files, path)?);
+            self.read.insert(path.to_owned(), mesh.clone());
             mesh
         };
         scaled(&mesh, scale).map_err(|source| RobotDefect::Mesh { file: name.to_owned(), source })

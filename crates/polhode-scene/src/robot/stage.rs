@@ -1,9 +1,10 @@
 //! The scene that a robot file stands for: the robot for two seconds, above a floor unless the world holds all of it.
 
 use super::assemble::{Placement, assembled};
-use super::read::{RobotFile, read_robot};
+use super::read::{RobotFile, read_robot_of};
 use super::text::RobotFileError;
 use super::weld::Unphysical;
+use crate::files::Files;
 use polhode::contact::{Shape, aabb_of};
 use polhode::{Body, BodyId, Geometry};
 use std::collections::BTreeSet;
@@ -23,8 +24,8 @@ pub(crate) fn is_robot_file(path: &Path) -> bool {
 ///
 /// # Errors
 /// When the robot file is refused.
-pub(crate) fn scene_of(path: &Path) -> Result<String, RobotFileError> {
-    let RobotFile { robot, .. } = read_robot(path, &[])?;
+pub(crate) fn scene_of(files: Files, path: &Path) -> Result<String, RobotFileError> {
+    let RobotFile { robot, .. } = read_robot_of(files, path, &[])?;
     // An inertia that is refused is told when the scene is built, which may repair it; where others refuse the file it
     // is told with them.
     let repaired = assembled(&robot, &Placement::of_file(Unphysical::Repair), 0);

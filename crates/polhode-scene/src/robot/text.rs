@@ -1,7 +1,7 @@
 //! The text of robot files, and why a robot file could not be used.
 
 use super::finding::{Finding, Severity};
-use crate::read;
+use crate::files::{Fault, Files};
 use std::fmt::Write as _;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -76,10 +76,10 @@ fn shown(findings: &[Finding]) -> String {
 }
 
 /// The text of a robot file.
-pub(super) fn text_of(path: &Path) -> Result<String, RobotFileError> {
-    let bytes = read::bounded(path, LARGEST_ROBOT_FILE).map_err(|fault| match fault {
-        read::Fault::Io(source) => RobotFileError::Read { path: path.to_owned(), source },
-        read::Fault::TooLarge => RobotFileError::TooLarge { path: path.to_owned(), limit: LARGEST_ROBOT_FILE },
+pub(super) fn text_of(files: Files, path: &Path) -> Result<String, RobotFileError> {
+    let bytes = files.bounded(path, LARGEST_ROBOT_FILE).map_err(|fault| match fault {
+        Fault::Io(source) => RobotFileError::Read { path: path.to_owned(), source },
+        Fault::TooLarge => RobotFileError::TooLarge { path: path.to_owned(), limit: LARGEST_ROBOT_FILE },
     })?;
     String::from_utf8(bytes)
         .map_err(|error| RobotFileError::NotText { path: path.to_owned(), offset: error.utf8_error().valid_up_to() })

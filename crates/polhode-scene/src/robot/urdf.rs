@@ -84,6 +84,7 @@ pub(super) fn read(root: &Element, paths: &MeshPaths, reading: &mut Reading) -> 
         gravity: None,
         root: Root::Link,
         files,
+        source: paths.files(),
     })
 }
 

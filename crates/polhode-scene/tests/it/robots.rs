@@ -414,3 +414,29 @@ fn links_collide_when_asked() {
     let error = Simulation::new(&on.scene).unwrap_err().to_string();
     assert!(error.contains("a and c overlap"), "{error}");
 }
+
+/// A robot whose files are given by name, without their folders, is the robot of the files on disk: a page has only what was
+/// dropped on it.
+#[test]
+fn a_robot_of_given_files_is_that_of_the_files_on_disk() {
+    let cube = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+    let part = "<mujoco><asset><mesh name=\"solid\" file=\"solid.obj\"/></asset></mujoco>";
+    let robot = "<mujoco model=\"m\"><compiler meshdir=\"meshes\"/><include file=\"parts/part.xml\"/><worldbody>\
+        <body pos=\"0 0 2\"><freejoint/><geom type=\"mesh\" mesh=\"solid\"/></body></worldbody></mujoco>";
+    let folder = tempfile::tempdir().unwrap();
+    for (name, text) in [("robot.xml", robot), ("parts/part.xml", part), ("meshes/solid.obj", cube)] {
+        let path = folder.path().join(name);
+        std::fs::create_dir_all(path.parent().unwrap()).unwrap();
+        std::fs::write(path, text).unwrap();
+    }
+    let files: &'static [(&'static str, &'static [u8])] =
+        vec![("robot.xml", robot.as_bytes()), ("part.xml", part.as_bytes()), ("solid.obj", cube.as_bytes())].leak();
+    let of_disk = polhode_scene::load_with(&folder.path().join("robot.xml"), &[]).unwrap();
+    let text = polhode_scene::scene_text_of("robot.xml", files).unwrap();
+    assert_eq!(text, of_disk.text());
+    let given = polhode_scene::load_with_files("page", &text, files, &[]).unwrap();
+    assert_eq!(format!("{:?}", given.scene.bodies()), format!("{:?}", of_disk.scene.bodies()));
+    assert_eq!(given.examine_robots().len(), of_disk.examine_robots().len());
+    let error = polhode_scene::scene_text_of("robot.xml", &files[..2]).unwrap_err().to_string();
+    assert!(error.contains("solid.obj"), "{error}");
+}

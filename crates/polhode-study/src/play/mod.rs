@@ -27,4 +27,4 @@ mod tests;
 
 pub use error::PlayError;
 pub use grab::Grab;
-pub use playground::{FrozenMeshes, Playground};
+pub use playground::Playground;

@@ -9,13 +9,10 @@ use polhode::{
     Acceleration, Body, BodyId, BodySample, ContactView, RunHash, RunReport, Scene, Simulation, SimulationError,
     Stability,
 };
-use polhode_scene::{LoadedScene, Override, load_with_meshes};
+use polhode_scene::{GivenFiles, LoadedScene, Override, load_with_files};
 
 /// The longest step while a body is held, s (1/240 to 1/30): the force of the spring is constant in it.
 const HELD_STEP_S: f64 = 1.0 / 120.0;
-
-/// Mesh files that are there for as long as the program runs, by the names that scenes give them.
-pub type FrozenMeshes = &'static [(&'static str, &'static [u8])];
 
 /// A scene that runs while somebody plays with it.
 #[derive(Debug)]
@@ -32,8 +29,8 @@ impl Playground {
     ///
     /// # Errors
     /// When the scene is refused, or bodies overlap at its start.
-    pub fn new(origin: &str, text: &str, meshes: FrozenMeshes, changes: &[Override]) -> Result<Self, PlayError> {
-        let loaded = load_with_meshes(origin, text, meshes, changes)?;
+    pub fn new(origin: &str, text: &str, files: GivenFiles, changes: &[Override]) -> Result<Self, PlayError> {
+        let loaded = load_with_files(origin, text, files, changes)?;
         Self::of(loaded)
     }
 

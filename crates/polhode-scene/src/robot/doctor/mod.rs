@@ -20,7 +20,7 @@ use super::shapes::Meshes;
 
 /// Examines a robot as it stands in a scene. It reads the meshes, which may take seconds.
 pub fn examine(robot: &Robot, placement: &Placement) -> Vec<Finding> {
-    let (mut meshes, mut findings) = (Meshes::default(), Findings::default());
+    let (mut meshes, mut findings) = (Meshes::new(robot.source), Findings::default());
     mesh::examine(robot, &mut meshes, &mut findings);
     for link in &robot.links {
         matter::examine(link, &mut meshes, &mut findings);

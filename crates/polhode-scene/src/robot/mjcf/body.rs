@@ -11,6 +11,7 @@ use super::defaults::Defaults;
 use super::geom::{self, BodyGeom, Mask};
 use super::joint::{self, BodyJoint};
 use super::{frame, inertial};
+use crate::files::Files;
 use glam::DVec3;
 use polhode::spatial::Pose;
 use std::collections::BTreeMap;
@@ -104,9 +105,9 @@ impl<'a> Bodies<'a> {
     }
 
     pub(super) fn new(
-        compiler: &'a Compiler,
-        defaults: &'a Defaults,
+        (compiler, defaults): (&'a Compiler, &'a Defaults),
         assets: &'a BTreeMap<String, MeshAsset>,
+        files: Files,
         place: &RobotPlace,
     ) -> Self {
         let world = Link {
@@ -117,7 +118,7 @@ impl<'a> Bodies<'a> {
             visuals: Vec::new(),
         };
         let numbers = BTreeMap::from([(WORLD.to_owned(), 0)]);
-        let (meshes, links, joints, sites) = (Meshes::default(), vec![world], Vec::new(), BTreeMap::new());
+        let (meshes, links, joints, sites) = (Meshes::new(files), vec![world], Vec::new(), BTreeMap::new());
         Self { compiler, defaults, assets, meshes, links, joints, numbers, masks: vec![Vec::new()], sites }
     }
 

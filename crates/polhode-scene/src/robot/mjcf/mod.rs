@@ -67,7 +67,7 @@ const OF_OTHERS: &str = "it is for other programs, or not simulated: see the boo
 /// The robot that a document describes; `None` when it cannot be used, which is noted.
 pub(super) fn read(mut root: Element, paths: &MeshPaths, reading: &mut Reading) -> Option<Robot> {
     let mut files = Vec::new();
-    if let Err(fault) = include::expand(&mut root, paths.folder(), &mut files) {
+    if let Err(fault) = include::expand(&mut root, (paths.files(), paths.folder()), &mut files) {
         let (place, defect) = *fault;
         reading.findings.add(&place, "robot", defect);
         return None;
@@ -78,7 +78,7 @@ pub(super) fn read(mut root: Element, paths: &MeshPaths, reading: &mut Reading) 
     let defaults = Defaults::of(&root);
     defaults.check(&root, reading);
     let meshes = asset::meshes(&root, (&compiler, &defaults), paths, reading);
-    let mut bodies = Bodies::new(&compiler, &defaults, &meshes, &root.place);
+    let mut bodies = Bodies::new((&compiler, &defaults), &meshes, paths.files(), &root.place);
     for world in root.all("worldbody") {
         bodies.world(world, reading);
     }
@@ -117,5 +117,6 @@ pub(super) fn read(mut root: Element, paths: &MeshPaths, reading: &mut Reading) 
         gravity,
         root: Root::World,
         files,
+        source: paths.files(),
     })
 }

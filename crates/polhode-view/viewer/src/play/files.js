@@ -1,5 +1,5 @@
-// Files that are dropped on the page or opened from it: a scene takes the place of the text, a mesh is there for scenes to
-// name.
+// Files that are dropped on the page or opened from it: a scene takes the place of the text, as does what a robot file or a
+// table stands for; a mesh is there for scenes and robots to name.
 
 import { byId } from '../controls.js';
 import { worded } from './numbers.js';
@@ -33,52 +33,79 @@ material = "solid"
 `;
 }
 
-async function take(playground, file) {
-  const ending = (file.name.match(/\.([^.]*)$/)?.[1] ?? '').toLowerCase();
-  if (file.size > MOST_BYTES) {
-    playground.notice(
-      `${file.name} has ${worded(file.size / 1e6, 'MB')}, and the page takes files of up to ${MOST_BYTES / 1024 / 1024} MB. ` +
-        'Run it by the program: polhode run FILE, polhode view FILE. Your text is as it was.',
-    );
-    return;
+/** Files that a scene names. */
+const MESHES = ['stl', 'obj', 'off', 'ply'];
+/** Files that stand for a scene. */
+const ROBOTS = ['urdf', 'xml', 'mjcf', 'xacro'];
+const TABLES = ['csv'];
+const ACCEPTED = 'a scene (.toml), a robot (.urdf, .xml, .mjcf) with its meshes, a table of boxes (.csv), or a mesh (.stl, .obj, .off, .ply)';
+
+const endingOf = (name) => (name.match(/\.([^.]*)$/)?.[1] ?? '').toLowerCase();
+const isNamed = (text, name) => text.includes(`"${name}"`) || text.includes(`/${name}"`);
+
+/** A robot that is refused while files that it names are missing. */
+let waiting = null;
+
+/** What can be used of the files, sorted: { texts, named, stands }; what cannot be is told. */
+async function read(playground, list) {
+  const found = { texts: [], named: [], stands: [] };
+  for (const file of list) {
+    const ending = endingOf(file.name);
+    if (file.size > MOST_BYTES) {
+      playground.notice(
+        `${file.name} has ${worded(file.size / 1e6, 'MB')}, and the page takes files of up to ${MOST_BYTES / 1024 / 1024} MB. ` +
+          'Run it by the program: polhode run FILE, polhode view FILE. Your text is as it was.',
+      );
+      continue;
+    }
+    const bytes = new Uint8Array(await file.arrayBuffer());
+    const { name } = file;
+    if (MESHES.includes(ending)) {
+      found.named.push({ name, bytes });
+      continue;
+    }
+    let text;
+    try {
+      text = new TextDecoder('utf-8', { fatal: true }).decode(bytes);
+    } catch {
+      playground.notice(`${name} is no scene: it is not text. Drop ${ACCEPTED}.`);
+      continue;
+    }
+    if (ROBOTS.includes(ending) || TABLES.includes(ending)) found.stands.push({ name, bytes, text });
+    else if (ending === 'toml' || /^\s*format\s*=/m.test(text)) found.texts.push(text);
+    else playground.notice(`${name} is no scene: no line \`format = 1\` is in it. Drop ${ACCEPTED}.`);
   }
-  if (['urdf', 'xml', 'mjcf', 'csv'].includes(ending)) {
-    playground.notice(
-      `${file.name}: the page has no reader of robots and tables. The program has: polhode view ${file.name} -o robot.html ` +
-        'shows it in a page. Your text is as it was.',
-    );
-    return;
-  }
-  const bytes = new Uint8Array(await file.arrayBuffer());
-  if (['stl', 'obj', 'off', 'ply'].includes(ending)) {
-    await playground.addFile(file.name, bytes);
-    if (playground.editor.text.includes(`"${file.name}"`)) await playground.run();
-    else await playground.take(sceneOfMesh(file.name));
-    return;
-  }
-  let text;
+  return found;
+}
+
+/** Takes the scene that a robot file or a table stands for. */
+async function takeStanding(playground, name) {
   try {
-    text = new TextDecoder('utf-8', { fatal: true }).decode(bytes);
-  } catch {
-    playground.notice(`${file.name} is no scene: it is not text. Drop a scene (.toml) or a mesh (.stl, .obj, .off, .ply).`);
-    return;
+    const text = await playground.sceneOf(name);
+    waiting = null;
+    await playground.take(text);
+  } catch (error) {
+    waiting = ROBOTS.includes(endingOf(name)) ? name : null;
+    const cure = waiting ? ' Where it misses a file, drop that too.' : '';
+    playground.notice(`${name} could not be read: ${error?.message ?? error}${cure} Your text is kept.`);
   }
-  if (ending !== 'toml' && !/^\s*format\s*=/m.test(text)) {
-    playground.notice(`${file.name} is no scene: no line \`format = 1\` is in it. Drop a scene (.toml) or a mesh (.stl, .obj, .off, .ply).`);
-    return;
-  }
-  await playground.take(text);
 }
 
 async function takeAll(playground, list) {
-  // Meshes first, because a scene that comes with them names them.
-  const files = [...list].sort((one, other) => Number(/\.toml$/i.test(one.name)) - Number(/\.toml$/i.test(other.name)));
-  for (const file of files) {
-    try {
-      await take(playground, file);
-    } catch (error) {
-      playground.notice(`${file.name} could not be read: ${error?.message ?? error}. Your text is kept.`);
-    }
+  try {
+    const { texts, named, stands } = await read(playground, list);
+    for (const { name, bytes } of [...named, ...stands]) await playground.addFile(name, bytes);
+    const own = playground.editor.text;
+    // Of robot files that include each other, the one that none names is the robot.
+    const robot = stands.find(({ name }) => !stands.some((other) => other.name !== name && isNamed(other.text, name)));
+    const names = [...named, ...stands].map(({ name }) => name);
+    if (texts.length > 0) await playground.take(texts.at(-1));
+    else if (names.some((name) => isNamed(own, name))) await playground.run();
+    else if (robot) await takeStanding(playground, robot.name);
+    else if (waiting && names.length > 0) await takeStanding(playground, waiting);
+    else if (named.length > 0) await playground.take(sceneOfMesh(named.at(-1).name));
+  } catch (error) {
+    playground.notice(`The files could not be read: ${error?.message ?? error}. Your text is kept.`);
   }
 }
 

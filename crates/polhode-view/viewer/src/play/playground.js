@@ -137,7 +137,7 @@ export class Playground {
     this.module = await compiled();
     this.engine = this.newEngine();
     await this.engine.started;
-    for (const [name, base64] of Object.entries(this.given.meshes ?? {})) {
+    for (const [name, base64] of Object.entries(this.given.files ?? {})) {
       await this.addFile(name, Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0)));
     }
     addEventListener('hashchange', () => this.followAddress());
@@ -585,6 +585,11 @@ export class Playground {
 
   async addFile(name, bytes) {
     for (const engine of [this.engine, ...this.copies.values()]) await engine.addFile(name, bytes);
+  }
+
+  /** The text of the scene that a file stands for, which was added. */
+  async sceneOf(name) {
+    return (await this.engine.ask({ do: 'ask', name: 'scene_of', args: [name] })).answer;
   }
 
   saveText() {
