@@ -89,8 +89,8 @@ fn shipped_meshes(text: &str) -> Vec<(String, Vec<u8>)> {
 fn files_beside(path: &Path, loaded: &LoadedScene) -> Result<Vec<(String, Vec<u8>)>, Failure> {
     let folder = path.parent().unwrap_or(Path::new(""));
     let absolute = std::path::absolute(folder).unwrap_or_else(|_| folder.to_owned());
-    // A file elsewhere, as in a package of ROS, has the folder in common with the scene that is nearest to both: the page
-    // tells nobody where on this machine that is.
+    // A file elsewhere, as in a package of ROS, has the folder in common with the scene that is nearest to both: the
+    // page tells nobody where on this machine that is.
     let name = |file: &Path| {
         let mut folders = std::iter::once(folder).chain(absolute.ancestors());
         folders.find_map(|above| file.strip_prefix(above).ok()).unwrap_or(file).to_string_lossy().into_owned()

@@ -18,7 +18,8 @@ pub(crate) enum Fault {
 pub(crate) enum Files {
     /// On disk.
     Disk,
-    /// Given by name. Whole folders are not given: a path stands for the file whose name is its end, or whose end it is.
+    /// Given by name. Whole folders are not given: a path stands for the file whose name is its end, or whose end it
+    /// is.
     Given(GivenFiles),
 }
 

@@ -34,8 +34,8 @@ impl LoadedScene {
         &self.appearance
     }
 
-    /// The text of its file, without what is set from outside; where a robot or a table stands for it, the text that was
-    /// made of that.
+    /// The text of its file, without what is set from outside; where a robot or a table stands for it, the text that
+    /// was made of that.
     pub fn text(&self) -> &str {
         self.document.text()
     }
@@ -190,7 +190,8 @@ pub fn load_text(origin: &str, text: &str, overrides: &[Override]) -> Result<Loa
     from_document(Document::new(origin, text.to_owned(), overrides), &folder, origin)
 }
 
-/// Loads a scene from text that has the files of its meshes and robots with it, each by the name that the scene gives it.
+/// Loads a scene from text that has the files of its meshes and robots with it, each by the name that the scene gives
+/// it.
 ///
 /// # Errors
 /// As [`load`].

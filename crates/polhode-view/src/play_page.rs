@@ -1,12 +1,15 @@
 //! The playground: one HTML file with the engine in it, which runs scenes by itself.
 //!
-//! Layout: the head with its style, the elements, the engine (WebAssembly, gzip, as base64), the script of its worker,
-//! what the page begins with as JSON, the script of the page. Engine and scripts are built by `cargo xtask playground`.
+//! Layout: the head with its style, the elements, what the page begins with as JSON, and what is packed: the engine
+//! (WebAssembly by LZMA), the script of its worker, further scenes, licences and the script of the page (gzip), as
+//! letters of 7 bits each. The last script unpacks that of the page. Engine and scripts are built by
+//! `cargo xtask playground`.
 
 use crate::error::ViewError;
 use crate::text;
+use flate2::{Compression, GzBuilder};
 use serde_json::json;
-use std::io::Write;
+use std::io::{self, Write};
 
 const VIEWER_STYLE: &str = include_str!("../viewer/viewer.css");
 const STYLE: &str = include_str!("../viewer/play.css");
@@ -14,7 +17,9 @@ const ELEMENTS: &str = include_str!("../viewer/play.html");
 const PAGE: &str = include_str!("../viewer/dist/play.js");
 const WORKER: &str = include_str!("../viewer/dist/worker.js");
 const BINDINGS: &str = include_str!("../viewer/dist/engine.js");
-const ENGINE: &[u8] = include_bytes!("../viewer/dist/engine.wasm.gz");
+const LOADER: &str = include_str!("../viewer/dist/loader.js");
+const LICENCES: &str = include_str!("../viewer/dist/LICENSES-ENGINE.txt");
+const ENGINE: &[u8] = include_bytes!("../viewer/dist/engine.wasm.lzma");
 
 /// What a playground begins with.
 #[derive(Debug, Clone, Default)]
@@ -73,7 +78,6 @@ pub fn write<W: Write>(out: &mut W, given: &Given<'_>) -> Result<(), ViewError> 
         "title": given.title,
         "text": given.scene,
         "files": files,
-        "examples": examples,
         "native": native,
     });
     write!(
@@ -84,11 +88,25 @@ pub fn write<W: Write>(out: &mut W, given: &Given<'_>) -> Result<(), ViewError> 
          <style>\n{VIEWER_STYLE}{STYLE}</style>\n</head>\n<body>\n{ELEMENTS}",
         text::html(given.title)
     )?;
-    writeln!(out, "<script id=\"polhode-engine\" type=\"application/octet-stream\">{}</script>", text::base64(ENGINE))?;
-    writeln!(out, "<script id=\"polhode-worker\" type=\"text/plain\">{BINDINGS}\n{WORKER}</script>")?;
     let begins = text::json_in_html(&begins.to_string());
     writeln!(out, "<script id=\"polhode-play\" type=\"application/json\">{begins}</script>")?;
-    write!(out, "<script>\n{PAGE}</script>\n</body>\n</html>\n")?;
+    packed(out, "engine", ENGINE)?;
+    packed(out, "worker", &gzip(&format!("{BINDINGS}\n{WORKER}"))?)?;
+    packed(out, "examples", &gzip(&json!(examples).to_string())?)?;
+    packed(out, "licences", &gzip(LICENCES)?)?;
+    packed(out, "script", &gzip(PAGE)?)?;
+    write!(out, "<script>\n{LOADER}</script>\n</body>\n</html>\n")?;
     out.flush()?;
     Ok(())
+}
+
+/// An element with packed bytes.
+fn packed<W: Write>(out: &mut W, name: &str, bytes: &[u8]) -> io::Result<()> {
+    writeln!(out, "<script id=\"polhode-{name}\" type=\"text/plain\">{}</script>", text::seven_bits(bytes))
+}
+
+fn gzip(text: &str) -> io::Result<Vec<u8>> {
+    let mut packed = GzBuilder::new().write(Vec::new(), Compression::best());
+    packed.write_all(text.as_bytes())?;
+    packed.finish()
 }

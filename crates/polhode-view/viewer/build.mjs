@@ -1,18 +1,19 @@
-// Bundles viewer and playground into dist/, and puts the licence of three.js beside them; `node build.mjs FOLDER` into another
+// Bundles viewer and playground into dist/, and puts the licences of three.js and lzma1 beside them; `node build.mjs FOLDER` into another
 // folder, to see whether dist/ is what the sources build to.
 
-import { copyFileSync, mkdirSync, statSync } from 'node:fs';
+import { mkdirSync, readFileSync, statSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { build } from 'esbuild';
 
 const folder = process.argv[2] ?? 'dist';
 mkdirSync(folder, { recursive: true });
 
-/** The scripts of the pages: the viewer, the playground, and the playground's worker. */
+/** The scripts of the pages: the viewer, the playground, its worker, and what unpacks it. */
 const SCRIPTS = [
   ['src/main.js', 'viewer.js'],
   ['src/play/main.js', 'play.js'],
   ['src/play/worker.js', 'worker.js'],
+  ['src/play/loader.js', 'loader.js'],
 ];
 for (const [source, name] of SCRIPTS) {
   const bundle = join(folder, name);
@@ -28,4 +29,5 @@ for (const [source, name] of SCRIPTS) {
   });
   console.log(`${bundle}: ${statSync(bundle).size} bytes`);
 }
-copyFileSync('node_modules/three/LICENSE', join(folder, 'LICENSES.txt'));
+const texts = ['three', 'lzma1'].map((name) => readFileSync(`node_modules/${name}/LICENSE`, 'utf8').trim());
+writeFileSync(join(folder, 'LICENSES.txt'), `${texts.join('\n\n')}\n`);

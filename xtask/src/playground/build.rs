@@ -1,7 +1,7 @@
 //! `cargo xtask playground`: builds the engine for pages, its side of the page, and the scripts of the page.
 
 use super::{BINDINGS, DIST, ENGINE};
-use flate2::{Compression, GzBuilder};
+use lzma_rust2::{LzmaOptions, LzmaWriter};
 use polhode_cases::cargo::cargo;
 use std::error::Error;
 use std::fs;
@@ -19,7 +19,8 @@ const INSTALL: &str = "rustup target add wasm32-unknown-unknown, rustup componen
 const LIBRARY: [&str; 2] = ["-Zbuild-std=std,panic_abort", "-Zbuild-std-features=optimize_for_size"];
 
 /// Registers of two numbers, and no text of a panic.
-const FLAGS: &str = "-Ctarget-feature=+simd128 -Zunstable-options -Cpanic=immediate-abort -Zlocation-detail=none";
+const FLAGS: &str =
+    "-Ctarget-feature=+simd128 -Zunstable-options -Cpanic=immediate-abort -Zlocation-detail=none -Zfmt-debug=shallow";
 
 /// Builds all of it.
 ///
@@ -43,9 +44,7 @@ pub(crate) fn run(root: &Path) -> Result<ExitCode, Box<dyn Error>> {
     succeeded(&mut tool, "the page's side of the engine cannot be made")?;
     let engine = fs::read(made.path().join("polhode_web_bg.wasm"))?;
     let dist = root.join(DIST);
-    let mut packed = GzBuilder::new().write(Vec::new(), Compression::best());
-    packed.write_all(&engine)?;
-    let packed = packed.finish()?;
+    let packed = packed(&engine)?;
     fs::write(dist.join(ENGINE), &packed)?;
     fs::copy(made.path().join("polhode_web.js"), dist.join(BINDINGS))?;
     let viewer = root.join("crates/polhode-view/viewer");
@@ -55,6 +54,14 @@ pub(crate) fn run(root: &Path) -> Result<ExitCode, Box<dyn Error>> {
     )?;
     println!("{DIST}/{ENGINE}: {} bytes, {} unpacked", packed.len(), engine.len());
     Ok(ExitCode::SUCCESS)
+}
+
+/// The engine by LZMA. Codes of instructions are bytes of any address and follow from those before them.
+fn packed(engine: &[u8]) -> Result<Vec<u8>, Box<dyn Error>> {
+    let options = LzmaOptions { lc: 4, pb: 0, ..LzmaOptions::with_preset(9) };
+    let mut packed = LzmaWriter::new_use_header(Vec::new(), &options, Some(engine.len() as u64))?;
+    packed.write_all(engine)?;
+    Ok(packed.finish()?)
 }
 
 /// Flags with which no folder of this machine stands in what is built: panics name their file.

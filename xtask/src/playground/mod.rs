@@ -21,7 +21,7 @@ pub(crate) use step::{NAME, check};
 const DIST: &str = "crates/polhode-view/viewer/dist";
 
 /// The engine there, packed.
-const ENGINE: &str = "engine.wasm.gz";
+const ENGINE: &str = "engine.wasm.lzma";
 
 /// The page's side of the engine there.
 const BINDINGS: &str = "engine.js";

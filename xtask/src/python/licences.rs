@@ -1,5 +1,5 @@
-//! The licence texts of what a wheel contains: of crates that are compiled into it, of the viewer and of Rust's own
-//! library.
+//! The licence texts of what a wheel and the page of the playground contain: of crates that are compiled into it, of
+//! the viewer and of Rust's own library.
 
 use polhode_cases::cargo::cargo;
 use polhode_cases::row::Row;
@@ -11,10 +11,25 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-/// The file, in the folder of the package.
-const FILE: &str = "crates/polhode-py/LICENSES-THIRD-PARTY.txt";
-/// The package that is made into a wheel.
-const PACKAGE: &str = "polhode-py";
+/// Software that contains that of others.
+struct Product {
+    /// The package that it is made of.
+    package: &'static str,
+    /// What it is called.
+    name: &'static str,
+    /// The file of the licences.
+    file: &'static str,
+}
+
+/// The wheel, and the page of the playground.
+const PRODUCTS: [Product; 2] = [
+    Product { package: "polhode-py", name: "the wheel", file: "crates/polhode-py/LICENSES-THIRD-PARTY.txt" },
+    Product {
+        package: "polhode-web",
+        name: "the playground",
+        file: "crates/polhode-view/viewer/dist/LICENSES-ENGINE.txt",
+    },
+];
 /// What the bundle of the viewer contains, in its own file.
 const VIEWER: &str = "crates/polhode-view/viewer/dist/LICENSES.txt";
 /// How names of files with a licence begin.
@@ -29,7 +44,7 @@ const APACHE_TEXT: &str = "Apache License";
 const WRITE: &str = "differs: run `cargo xtask licences` and commit the file";
 /// What stands above the texts.
 const HEAD: &str = "\
-polhode is under the licence in LICENSE. What follows are the licences of other software that a wheel of it contains, \
+polhode is under the licence in LICENSE. What follows are the licences of other software that it contains here, \
 on one platform or
 another: crates that are compiled into it, the viewer of its pages, and the standard library of Rust. Where a crate \
 may be used under
@@ -60,20 +75,26 @@ struct Package {
     source: Option<String>,
 }
 
-/// Writes the file.
+/// Writes the files.
 ///
 /// # Errors
 /// When cargo cannot be asked, or a crate has no text.
 pub(crate) fn run(root: &Path) -> Result<ExitCode, Box<dyn Error>> {
-    fs::write(root.join(FILE), text(root, packages(root)?)?)?;
-    println!("{FILE}");
+    for Product { package, file, .. } in &PRODUCTS {
+        fs::write(root.join(file), text(root, packages(root, package)?)?)?;
+        println!("{file}");
+    }
     Ok(ExitCode::SUCCESS)
 }
 
-/// Whether the file is what it would be now.
-pub(super) fn row(case: &str, root: &Path) -> Row {
-    let quantity = "licences of what the wheel contains are current";
-    let packages = match packages(root) {
+/// Whether the files are what they would be now.
+pub(super) fn rows(case: &str, root: &Path) -> Vec<Row> {
+    PRODUCTS.iter().map(|product| row(case, root, product)).collect()
+}
+
+fn row(case: &str, root: &Path, product: &Product) -> Row {
+    let quantity = &format!("licences of what {} contains are current", product.name);
+    let packages = match packages(root, product.package) {
         Ok(packages) => packages,
         // Cargo has sources of other platforms only after it has asked its registry for them.
         Err(reason) => return Row::skipped(case, quantity, &reason.to_string()),
@@ -81,7 +102,8 @@ pub(super) fn row(case: &str, root: &Path) -> Row {
     match text(root, packages) {
         Err(reason) => Row::broken(case, quantity, reason.to_string()),
         Ok(text) => {
-            let is_same = fs::read_to_string(root.join(FILE)).is_ok_and(|own| own.replace("\r\n", "\n") == text);
+            let is_same =
+                fs::read_to_string(root.join(product.file)).is_ok_and(|own| own.replace("\r\n", "\n") == text);
             Row::exact(case, quantity, "same text", if is_same { "same text" } else { WRITE })
         }
     }
@@ -128,11 +150,11 @@ fn told(package: &Package) -> String {
     format!("{} {} ({license})", package.name, package.version)
 }
 
-/// The crates of others that are compiled into a wheel, on any platform.
-fn packages(root: &Path) -> Result<Vec<Package>, Box<dyn Error>> {
+/// The crates of others that are compiled into a product, on any platform.
+fn packages(root: &Path, product: &str) -> Result<Vec<Package>, Box<dyn Error>> {
     let tree = said(
         root,
-        &["tree", "--package", PACKAGE, "--edges", "normal,no-proc-macro", "--target", "all", "--prefix", "none"],
+        &["tree", "--package", product, "--edges", "normal,no-proc-macro", "--target", "all", "--prefix", "none"],
     )?;
     let contained: BTreeSet<String> = tree
         .lines()

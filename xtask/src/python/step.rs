@@ -26,7 +26,8 @@ fn rows(context: &Context) -> CaseResult {
         Ok(environment) => environment,
         Err(reason) => return Ok(vec![Row::skipped(NAME, "wheel, tests, stubs, notebooks", &reason)]),
     };
-    let mut rows = vec![licences::row(NAME, &context.root), wheel(context, &environment, &package)?];
+    let mut rows = licences::rows(NAME, &context.root);
+    rows.push(wheel(context, &environment, &package)?);
     let program = context.program.path(&context.root)?;
     let mut tests = environment.module("pytest");
     tests.args(["-q", "-p", "no:cacheprovider", "tests"]).env("POLHODE", program);

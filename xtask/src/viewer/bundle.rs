@@ -5,7 +5,7 @@ use polhode_cases::CaseResult;
 use polhode_cases::row::Row;
 
 /// Files that a build of the viewer writes.
-const FILES: [&str; 4] = ["viewer.js", "play.js", "worker.js", "LICENSES.txt"];
+const FILES: [&str; 5] = ["viewer.js", "play.js", "worker.js", "loader.js", "LICENSES.txt"];
 /// What to do about another bundle.
 const BUILD: &str = "differs: run `npm run build` in crates/polhode-view/viewer and commit dist/";
 

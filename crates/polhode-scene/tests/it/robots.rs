@@ -415,8 +415,8 @@ fn links_collide_when_asked() {
     assert!(error.contains("a and c overlap"), "{error}");
 }
 
-/// A robot whose files are given by name, without their folders, is the robot of the files on disk: a page has only what was
-/// dropped on it.
+/// A robot whose files are given by name, without their folders, is the robot of the files on disk: a page has only
+/// what was dropped on it.
 #[test]
 fn a_robot_of_given_files_is_that_of_the_files_on_disk() {
     let cube = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";

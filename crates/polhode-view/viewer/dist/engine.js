@@ -19,7 +19,7 @@ let wasm_bindgen = (function(exports) {
             wasm.__wbg_playground_free(ptr, 0);
         }
         /**
-         * Adds a mesh file, which scenes name.
+         * Adds a file of a mesh or a robot, which scenes name.
          * @param {string} name
          * @param {Uint8Array | number[]} bytes
          */
@@ -257,6 +257,34 @@ let wasm_bindgen = (function(exports) {
                 throw takeFromExternrefTable0(ret[1]);
             }
             return ret[0];
+        }
+        /**
+         * The text of the scene that a robot file or a table of boxes stands for, which was added before.
+         *
+         * # Errors
+         * When the file is refused.
+         * @param {string} name
+         * @returns {string}
+         */
+        scene_of(name) {
+            let deferred3_0;
+            let deferred3_1;
+            try {
+                const ptr0 = passStringToWasm0(name, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
+                const len0 = WASM_VECTOR_LEN;
+                const ret = wasm.playground_scene_of(this.__wbg_ptr, ptr0, len0);
+                var ptr2 = ret[0];
+                var len2 = ret[1];
+                if (ret[3]) {
+                    ptr2 = 0; len2 = 0;
+                    throw takeFromExternrefTable0(ret[2]);
+                }
+                deferred3_0 = ptr2;
+                deferred3_1 = len2;
+                return getStringFromWasm0(ptr2, len2);
+            } finally {
+                wasm.__wbindgen_free(deferred3_0, deferred3_1, 1);
+            }
         }
         /**
          * Gives all materials this friction.

@@ -241,7 +241,7 @@ async function bad(browser) {
     ['a picture that is dropped', 'a.png', 'new Uint8Array([137, 80, 78, 71, 255])', /is no scene/],
     ['a text that is no scene', 'a.txt', '"hello"', /is no scene/],
     ['100 MB', 'large.toml', 'new Uint8Array(1e8)', /100 MB/],
-    ['a robot', 'arm.urdf', '"<robot/>"', /polhode view/],
+    ['a robot without links', 'arm.urdf', '"<robot/>"', /arm\.urdf could not be read: .*link/],
   ]) {
     await check(`${what}: a message, and the text stays`, async () => {
       await drop(name, make);
@@ -256,6 +256,28 @@ async function bad(browser) {
     await drop('part.stl', JSON.stringify(`solid part\n${solid.join('\n')}\nendsolid part\n`));
     await page.waitForFunction(() => window.polhode.self.scene.runs[0].name === 'part');
     await page.waitForFunction(() => window.polhode.time() > 0.2);
+  });
+  await check('a robot is told to miss its mesh, and runs when that is dropped too', async () => {
+    const solid = 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n';
+    const robot =
+      '<robot name="dropped"><link name="base"><inertial><mass value="1"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/>' +
+      '</inertial><collision><geometry><mesh filename="package://parts/meshes/solid.obj"/></geometry></collision></link></robot>';
+    await drop('dropped.urdf', JSON.stringify(robot));
+    await page.waitForFunction(() => /solid\.obj/.test(document.getElementById('notices').textContent));
+    await drop('solid.obj', JSON.stringify(solid));
+    await page.waitForFunction(() => window.polhode.self.scene.runs[0].name === 'dropped');
+    await page.waitForFunction(() => window.polhode.time() > 0.2);
+  });
+  await check('a table of boxes that is dropped runs', async () => {
+    await drop('boxes.csv', JSON.stringify('size_x,size_y,size_z,x,y,z,mass\n1,1,1,0,0,0.5,1\n1,1,1,0,0,1.5,1\n'));
+    await page.waitForFunction(() => window.polhode.self.scene.runs[0].bodies.length === 3);
+    await page.waitForFunction(() => window.polhode.time() > 0.2);
+  });
+  await check('the licences of what is in the page can be read', async () => {
+    await page.click('#help-button');
+    await page.click('#licences');
+    await page.waitForFunction(() => /three\.js authors/.test(document.getElementById('licence-texts').textContent));
+    await page.keyboard.press('Escape');
   });
   await check('a scene that never ends leaves the page usable', async () => {
     await type(good.replace(/duration = .*/, 'duration = 1e9'));

@@ -2,11 +2,11 @@
 // one a line, or what was thrown.
 
 import { readFileSync } from 'node:fs';
-import { gunzipSync } from 'node:zlib';
+import { decompress } from 'lzma1';
 
 const dist = new URL('../dist/', import.meta.url);
 const made = new Function(`${readFileSync(new URL('engine.js', dist), 'utf8')}\nreturn wasm_bindgen;`)();
-made.initSync({ module: gunzipSync(readFileSync(new URL('engine.wasm.gz', dist))) });
+made.initSync({ module: decompress(new Uint8Array(readFileSync(new URL('engine.wasm.lzma', dist)))) });
 
 for (const scene of process.argv.slice(2)) {
   try {

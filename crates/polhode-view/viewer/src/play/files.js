@@ -43,7 +43,7 @@ const ACCEPTED = 'a scene (.toml), a robot (.urdf, .xml, .mjcf) with its meshes,
 const endingOf = (name) => (name.match(/\.([^.]*)$/)?.[1] ?? '').toLowerCase();
 const isNamed = (text, name) => text.includes(`"${name}"`) || text.includes(`/${name}"`);
 
-/** A robot that is refused while files that it names are missing. */
+/** A robot that was refused, as { name, text }: a file that it misses may come later. */
 let waiting = null;
 
 /** What can be used of the files, sorted: { texts, named, stands }; what cannot be is told. */
@@ -79,13 +79,14 @@ async function read(playground, list) {
 }
 
 /** Takes the scene that a robot file or a table stands for. */
-async function takeStanding(playground, name) {
+async function takeStanding(playground, file) {
+  const { name } = file;
   try {
     const text = await playground.sceneOf(name);
     waiting = null;
     await playground.take(text);
   } catch (error) {
-    waiting = ROBOTS.includes(endingOf(name)) ? name : null;
+    waiting = ROBOTS.includes(endingOf(name)) ? file : null;
     const cure = waiting ? ' Where it misses a file, drop that too.' : '';
     playground.notice(`${name} could not be read: ${error?.message ?? error}${cure} Your text is kept.`);
   }
@@ -101,8 +102,8 @@ async function takeAll(playground, list) {
     const names = [...named, ...stands].map(({ name }) => name);
     if (texts.length > 0) await playground.take(texts.at(-1));
     else if (names.some((name) => isNamed(own, name))) await playground.run();
-    else if (robot) await takeStanding(playground, robot.name);
-    else if (waiting && names.length > 0) await takeStanding(playground, waiting);
+    else if (robot) await takeStanding(playground, robot);
+    else if (waiting && names.some((name) => isNamed(waiting.text, name))) await takeStanding(playground, waiting);
     else if (named.length > 0) await playground.take(sceneOfMesh(named.at(-1).name));
   } catch (error) {
     playground.notice(`The files could not be read: ${error?.message ?? error}. Your text is kept.`);

@@ -1,8 +1,10 @@
 // Buttons, sliders, lists and keys.
 
 import { byId } from '../controls.js';
+import { wordsOf } from '../errors.js';
 import { seconds } from '../numbers.js';
 import { worded } from './numbers.js';
+import { packedText } from './packed.js';
 
 /** Simulated seconds for each second of the clock. */
 export const SPEEDS = [0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10];
@@ -87,6 +89,7 @@ export function buildControls(playground) {
   on('save', () => playground.saveText());
   on('link', () => playground.link());
   on('help-button', () => byId('help').showModal());
+  on('licences', showLicences);
   const scrub = byId('scrub');
   scrub.addEventListener('input', () => {
     playground.pause();
@@ -122,6 +125,14 @@ export function buildControls(playground) {
         `${worded(track.steps)} steps, ${worded(rate)} steps/s in the worker: ${worded(real)} s of motion in a second.`;
     },
   };
+}
+
+/** The licences of what the page contains, below the keys. */
+async function showLicences() {
+  const texts = byId('licence-texts');
+  texts.textContent = await packedText('polhode-licences', 'The licences').catch(wordsOf);
+  texts.hidden = false;
+  texts.scrollIntoView();
 }
 
 function cameras(playground) {

@@ -1,11 +1,11 @@
 // The playground: reads the page, compiles the engine, and starts; whatever fails is said in words in the page, beside the
 // text of the scene, which stays.
 
-import { bytesOfBase64 } from '../bytes.js';
+import { decompress } from 'lzma1';
 import { byId } from '../controls.js';
-import { gunzip } from '../decode.js';
 import { PageError, wordsOf } from '../errors.js';
 import { blockText } from '../show.js';
+import { packedBytes, packedText } from './packed.js';
 import { Playground } from './playground.js';
 
 /** The engine, compiled; whoever refuses says why in words. */
@@ -16,9 +16,13 @@ async function compiled() {
         'some systems), open the page in another browser, or run the scene by the program: polhode run SCENE.',
     );
   }
-  const text = blockText('polhode-engine');
-  if (text === null) throw new PageError('The page holds no engine: it was cut off before its end. Get it again, or write it by `polhode play`.');
-  const bytes = await gunzip(bytesOfBase64(text, 'The engine'), 'The engine');
+  const packed = packedBytes('polhode-engine', 'its engine');
+  let bytes;
+  try {
+    bytes = decompress(packed);
+  } catch {
+    throw new PageError('The engine cannot be unpacked: the page is damaged or was cut off.');
+  }
   try {
     return await WebAssembly.compile(bytes);
   } catch (error) {
@@ -38,7 +42,9 @@ function given() {
 }
 
 async function main() {
-  const playground = new Playground(given(), blockText('polhode-worker') ?? '');
+  const begins = given();
+  begins.examples = JSON.parse(await packedText('polhode-examples', 'The scenes'));
+  const playground = new Playground(begins, await packedText('polhode-worker', 'The worker'));
   window.polhode = playground.published();
   try {
     await playground.start(compiled);
