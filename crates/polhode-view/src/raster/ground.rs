@@ -41,6 +41,34 @@ pub struct GroundPoint {
     pub strength: f64,
 }
 
+/// What the rays of a block of samples see of the ground.
+#[derive(Debug, Clone, Copy)]
+pub enum Block {
+    /// All pass it.
+    Nothing,
+    /// All meet the inside of one cell of the grid, where nothing has faded.
+    Cell(Cell),
+    /// They may see different things.
+    Mixed,
+}
+
+/// The inside of a cell of the grid.
+#[derive(Debug, Clone, Copy)]
+pub struct Cell {
+    /// Unit normal of its plane.
+    pub normal: DVec3,
+    /// Its colour.
+    pub color: Color,
+    offset_m: f64,
+}
+
+impl Cell {
+    /// `1/z` of the place that a ray from the eye meets, 1/m.
+    pub fn nearness(&self, eye: DVec3, ray: DVec3) -> f64 {
+        -self.normal.dot(ray) / (self.normal.dot(eye) - self.offset_m)
+    }
+}
+
 impl Ground {
     /// Planes under what lies in a box.
     pub fn new(planes: &[Plane], bounds: [DVec3; 2]) -> Self {
@@ -60,6 +88,26 @@ impl Ground {
                 let [ground, grid] = [colors::GROUND, colors::GRID].map(colors::linear);
                 [ground, std::array::from_fn(|i| ground[i] + (grid[i] - ground[i]) * LINE_INK)]
             },
+        }
+    }
+
+    /// What a block sees whose corners are seen in these directions. The cells of a grid and the part of a plane that has
+    /// not faded are convex, and so is their picture: what holds at the corners holds between them.
+    pub fn block(&self, eye: DVec3, corners: [DVec3; 4]) -> Block {
+        let passes = |(plane, _): &(Plane, [DVec3; 2])| corners.iter().all(|ray| plane.normal.dot(*ray) >= 0.0);
+        if self.planes.iter().all(passes) {
+            return Block::Nothing;
+        }
+        let [(plane, axes)] = &self.planes[..] else { return Block::Mixed };
+        let cell = |ray: DVec3| {
+            let point = self.seen(eye, ray).filter(|point| point.strength >= 1.0 && point.color == self.colors[0])?;
+            Some(axes.map(|axis| (axis.dot(point.place) / self.spacing_m).floor()))
+        };
+        let [first, others @ ..] = corners.map(cell);
+        if first.is_some() && others.iter().all(|other| *other == first) {
+            Block::Cell(Cell { normal: plane.normal, color: self.colors[0], offset_m: plane.offset_m })
+        } else {
+            Block::Mixed
         }
     }
 

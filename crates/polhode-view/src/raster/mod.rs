@@ -12,6 +12,7 @@
 //! | [`ground`] | planes with a grid |
 //! | [`paint`] | colours, with how much of them is seen |
 //! | [`canvas`], `glyphs` | lines and words on a picture |
+//! | `processors` | work on all processors, with the same result |
 //! | [`picture`] | the picture, and how it is made |
 
 pub mod canvas;
@@ -21,6 +22,7 @@ pub mod ground;
 pub mod marks;
 pub mod paint;
 pub mod picture;
+mod processors;
 pub mod projection;
 pub mod scene_triangles;
 pub mod shadow_map;

@@ -1,9 +1,10 @@
 //! Pictures, and how they are made.
 
 use super::depth_buffer::{DepthBuffer, FlatDisc, FlatSegment, FlatTriangle, Seen};
-use super::ground::Ground;
+use super::ground::{Block, Ground};
 use super::marks::Marks;
 use super::paint::{Paint, Paints, SAMPLES};
+use super::processors::on_all_processors;
 use super::projection::{Projected, Projection};
 use super::scene_triangles::SceneTriangles;
 use super::shadow_map::ShadowMap;
@@ -12,12 +13,11 @@ use crate::colors::{self, Color, Encoding};
 use crate::error::ViewError;
 use crate::light::Light;
 use polhode::spatial::DVec3;
-use std::num::NonZero;
-use std::panic::resume_unwind;
-use std::thread;
 
 /// Rows of pixels of a band.
 const BAND: u32 = 16;
+/// Pixels each way of a block, of which it is asked at once what it sees of the ground.
+const BLOCK: u32 = 8;
 /// Pixels each way at the most.
 const MOST_PIXELS: u32 = 8192;
 /// Normals of one pixel whose product is at least this, as a fraction of a square, are one.
@@ -108,26 +108,17 @@ fn band(flat: &Flattened, view: &View<'_>, width: u32, [top, bottom]: [u32; 2]) 
     let rows = [top, bottom].map(|row| (row * SAMPLES) as usize);
     let mut buffer = DepthBuffer::new((width * SAMPLES) as usize, rows);
     flat.draw(&mut buffer, rows);
-    let pixels = (top..bottom).flat_map(|y| (0..width).map(move |x| (x, y)));
-    pixels.flat_map(|(x, y)| view.encoding.srgb(view.pixel(&buffer, x, y))).collect()
-}
-
-/// What a function makes of each element of a list, with as many threads as there are processors: each takes every so
-/// many elements. No element knows of another, so that the result is the same with any number of threads.
-fn on_all_processors<T: Sync, R: Send>(list: &[T], make: impl Fn(&T) -> R + Sync) -> Vec<R> {
-    let threads = thread::available_parallelism().map_or(1, NonZero::get).min(list.len()).max(1);
-    let of_thread = &|first: usize| list.iter().skip(first).step_by(threads).map(&make).collect::<Vec<R>>();
-    let mut made: Vec<_> = thread::scope(|scope| {
-        let spawned = |first: usize| (first, thread::Builder::new().spawn_scoped(scope, move || of_thread(first)).ok());
-        let others: Vec<_> = (1..threads).map(spawned).collect();
-        let own = of_thread(0);
-        // Where the system gives no further thread, this one does its work.
-        let of_other = |(first, other): (usize, Option<thread::ScopedJoinHandle<'_, Vec<R>>>)| {
-            other.map_or_else(|| of_thread(first), |other| other.join().unwrap_or_else(|panic| resume_unwind(panic)))
-        };
-        std::iter::once(own).chain(others.into_iter().map(of_other)).map(Vec::into_iter).collect()
-    });
-    (0..list.len()).filter_map(|place| made[place % threads].next()).collect()
+    let mut rgb = Vec::with_capacity((3 * width * (bottom - top)) as usize);
+    let mut blocks = Vec::new();
+    for y in top..bottom {
+        if (y - top).is_multiple_of(BLOCK) {
+            blocks = (0..width).step_by(BLOCK as usize).map(|left| view.block(left, y)).collect();
+        }
+        for x in 0..width {
+            rgb.extend(view.encoding.srgb(view.pixel(&buffer, &blocks[(x / BLOCK) as usize], x, y)));
+        }
+    }
+    rgb
 }
 
 /// Triangles, lines and discs in samples, with the rows that they are on.
@@ -227,14 +218,25 @@ enum Shade {
 }
 
 impl View<'_> {
+    /// What the block with this corner sees of the ground.
+    fn block(&self, left: u32, top: u32) -> Block {
+        let last = BLOCK * SAMPLES - 1;
+        let (left, top) = (left * SAMPLES, top * SAMPLES);
+        let corners = [(left, top), (left + last, top), (left, top + last), (left + last, top + last)];
+        self.ground.block(self.projection.camera.eye, corners.map(|(x, y)| self.projection.ray(x, y)))
+    }
+
     /// The mean of the samples of a pixel.
-    fn pixel(&self, buffer: &DepthBuffer, x: u32, y: u32) -> Color {
+    fn pixel(&self, buffer: &DepthBuffer, block: &Block, x: u32, y: u32) -> Color {
         let (left, top) = (x * SAMPLES, y * SAMPLES);
         let middle = buffer.at((left + 1) as usize, (top + 1) as usize);
         let all = || (top..top + SAMPLES).flat_map(|v| (left..left + SAMPLES).map(move |u| (u, v)));
         let is_same = |seen: &Seen| {
             seen.paint == middle.paint && seen.normal.dot(middle.normal) >= SAME * middle.normal.length_squared()
         };
+        if !matches!(block, Block::Mixed) && all().all(|(u, v)| buffer.at(u as usize, v as usize).nearness <= 0.0) {
+            return self.behind_all(block, self.projection.ray(left + 1, top + 1));
+        }
         let shade = if all().all(|(u, v)| is_same(buffer.at(u as usize, v as usize))) {
             let shade = self.shade(middle, left + 1, top + 1);
             // One surface, and nothing before it: one sample stands for all.
@@ -254,6 +256,14 @@ impl View<'_> {
             sum = std::array::from_fn(|i| sum[i] + color[i]);
         }
         sum.map(|channel| channel / f64::from(SAMPLES * SAMPLES))
+    }
+
+    /// What is seen through a pixel that no body is in, where its block sees one thing.
+    fn behind_all(&self, block: &Block, ray: DVec3) -> Color {
+        let Block::Cell(cell) = block else { return self.behind };
+        let eye = self.projection.camera.eye;
+        let light = self.light.on(cell.normal, self.lit(eye + ray / cell.nearness(eye, ray), cell.normal));
+        cell.color.map(|c| c * light)
     }
 
     /// Whether no ground lies before what is seen at a sample.

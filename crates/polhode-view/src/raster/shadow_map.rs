@@ -3,6 +3,7 @@
 //! A place is in shadow where the lamp sees something nearer. Source: docs/REFERENCES.md, Williams 1978.
 
 use super::paint::Paint;
+use super::processors::on_all_processors;
 use super::projection::Projected;
 use super::scene_triangles::{SceneTriangles, Triangle};
 use crate::light::Light;
@@ -10,19 +11,40 @@ use polhode::spatial::DVec3;
 
 /// Texels each way.
 const SIZE: usize = 2048;
+/// Rows of texels of a band.
+const BAND: usize = 16;
 /// How far a surface lies before its own shadow, texels: what the map rounds.
 const BIAS_TEXELS: f64 = 2.5;
 /// Texels each way around a place over which its shadow is averaged.
 const SOFTNESS: i64 = 1;
 
-/// Depths seen from the lamp.
-#[derive(Debug)]
-pub struct ShadowMap {
+/// Where the lamp looks.
+#[derive(Debug, Clone, Copy)]
+struct Frame {
     axes: [DVec3; 3],
     /// Corner of the map, in its axes, m.
     low: DVec3,
     texel_m: f64,
-    /// Height towards the lamp of the highest surface, m, above `low`.
+}
+
+impl Frame {
+    /// A place in the map: across and down, texels; height, m.
+    fn placed(&self, point: DVec3) -> Projected {
+        let arm = along(self.axes, point) - self.low;
+        Projected { x: arm.x / self.texel_m, y: arm.y / self.texel_m, nearness: arm.z }
+    }
+}
+
+/// A point in other axes.
+fn along(axes: [DVec3; 3], point: DVec3) -> DVec3 {
+    DVec3::from_array(axes.map(|axis| axis.dot(point)))
+}
+
+/// Depths seen from the lamp.
+#[derive(Debug)]
+pub struct ShadowMap {
+    frame: Frame,
+    /// Height towards the lamp of the highest surface, m, above the corner of the map.
     heights: Vec<f32>,
 }
 
@@ -32,9 +54,9 @@ impl ShadowMap {
         let towards = light.towards;
         let across = towards.any_orthonormal_vector();
         let axes = [across, towards.cross(across), towards];
-        let seen = |p: DVec3| DVec3::from_array(axes.map(|axis| axis.dot(p)));
         let is_solid = |triangle: &&Triangle| scene.paints.get(triangle.paint).is_some_and(Paint::is_solid);
-        let points = scene.triangles.iter().filter(is_solid).flat_map(|triangle| triangle.corners).map(seen);
+        let solid = || scene.triangles.iter().filter(is_solid);
+        let points = solid().flat_map(|triangle| triangle.corners).map(|corner| along(axes, corner));
         let bounds = points.fold(None, |bounds: Option<[DVec3; 2]>, p| {
             Some(bounds.map_or([p; 2], |[low, high]| [low.min(p), high.max(p)]))
         });
@@ -43,55 +65,27 @@ impl ShadowMap {
         if texel_m <= 0.0 || !texel_m.is_finite() {
             return None;
         }
-        let low = low - DVec3::new(texel_m, texel_m, 0.0);
-        let mut map = Self { axes, low, texel_m, heights: vec![f32::NEG_INFINITY; SIZE * SIZE] };
-        for triangle in scene.triangles.iter().filter(is_solid) {
-            map.draw(triangle.corners.map(seen));
-        }
-        Some(map)
-    }
-
-    /// A place in the map: across and down, texels; height, m.
-    fn placed(&self, seen: DVec3) -> Projected {
-        let arm = seen - self.low;
-        Projected { x: arm.x / self.texel_m, y: arm.y / self.texel_m, nearness: arm.z }
-    }
-
-    fn draw(&mut self, corners: [DVec3; 3]) {
-        let [a, b, c] = corners.map(|corner| self.placed(corner));
-        let twice_area = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-        if twice_area == 0.0 {
-            return;
-        }
-        let range = |low: f64, high: f64| (low.floor().max(0.0) as usize)..(high.ceil().max(0.0) as usize).min(SIZE);
-        for y in range(a.y.min(b.y).min(c.y), a.y.max(b.y).max(c.y)) {
-            for x in range(a.x.min(b.x).min(c.x), a.x.max(b.x).max(c.x)) {
-                let (px, py) = (x as f64 + 0.5, y as f64 + 0.5);
-                let wb = ((px - a.x) * (c.y - a.y) - (py - a.y) * (c.x - a.x)) / twice_area;
-                let wc = ((b.x - a.x) * (py - a.y) - (b.y - a.y) * (px - a.x)) / twice_area;
-                let wa = 1.0 - wb - wc;
-                if wa.min(wb).min(wc) >= 0.0 {
-                    let height = (wa * a.nearness + wb * b.nearness + wc * c.nearness) as f32;
-                    let place = &mut self.heights[y * SIZE + x];
-                    *place = place.max(height);
-                }
-            }
-        }
+        let frame = Frame { axes, low: low - DVec3::new(texel_m, texel_m, 0.0), texel_m };
+        let triangles: Vec<[Projected; 3]> =
+            solid().map(|triangle| triangle.corners.map(|corner| frame.placed(corner))).collect();
+        let bands: Vec<usize> = (0..SIZE).step_by(BAND).collect();
+        let heights = on_all_processors(&bands, |&first| band(&triangles, first)).concat();
+        Some(Self { frame, heights })
     }
 
     /// The part of the lamp that a place with this unit normal sees, 0 to 1.
     pub fn lit(&self, place: DVec3, normal: DVec3) -> f64 {
-        let [_, _, towards] = self.axes;
+        let Frame { axes: [_, _, towards], texel_m, .. } = self.frame;
         let cosine = normal.dot(towards);
         if cosine <= 0.0 {
             return 0.0;
         }
         // Moved out along the normal, the more the lower the lamp stands over the surface.
         let sine = (1.0 - cosine * cosine).max(0.0).sqrt();
-        let moved = place + normal * (BIAS_TEXELS * self.texel_m * (0.3 + sine));
-        let at = self.placed(DVec3::from_array(self.axes.map(|axis| axis.dot(moved))));
+        let moved = place + normal * (BIAS_TEXELS * texel_m * (0.3 + sine));
+        let at = self.frame.placed(moved);
         let (x, y) = (at.x.floor() as i64, at.y.floor() as i64);
-        let height = (at.nearness + 0.5 * BIAS_TEXELS * self.texel_m) as f32;
+        let height = (at.nearness + 0.5 * BIAS_TEXELS * texel_m) as f32;
         let mut lit = 0;
         let mut count = 0;
         for v in y - SOFTNESS..=y + SOFTNESS {
@@ -105,4 +99,53 @@ impl ShadowMap {
         }
         f64::from(lit) / f64::from(count)
     }
+}
+
+/// The heights of the rows of a band, whose first is this.
+fn band(triangles: &[[Projected; 3]], first: usize) -> Vec<f32> {
+    let mut heights = vec![f32::NEG_INFINITY; SIZE * BAND];
+    let [top, bottom] = [first as f64, (first + BAND) as f64];
+    let meets = |[a, b, c]: &&[Projected; 3]| a.y.max(b.y).max(c.y) >= top && a.y.min(b.y).min(c.y) <= bottom;
+    for triangle in triangles.iter().filter(meets) {
+        for (row, row_heights) in heights.chunks_exact_mut(SIZE).enumerate() {
+            draw_row(*triangle, first + row, row_heights);
+        }
+    }
+    heights
+}
+
+/// Raises a row of heights to those of a triangle.
+fn draw_row([a, b, c]: [Projected; 3], y: usize, heights: &mut [f32]) {
+    let py = y as f64 + 0.5;
+    let Some([left, right]) = between([a, b, c], py) else { return };
+    let twice_area = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+    if twice_area == 0.0 {
+        return;
+    }
+    // A texel more on both sides: whether a middle lies in the triangle is asked below.
+    let last = ((right.ceil() + 1.0).max(0.0) as usize).min(heights.len());
+    let begin = ((left.floor() - 1.0).max(0.0) as usize).min(last);
+    for (x, place) in heights.iter_mut().enumerate().take(last).skip(begin) {
+        let px = x as f64 + 0.5;
+        let wb = ((px - a.x) * (c.y - a.y) - (py - a.y) * (c.x - a.x)) / twice_area;
+        let wc = ((b.x - a.x) * (py - a.y) - (b.y - a.y) * (px - a.x)) / twice_area;
+        let wa = 1.0 - wb - wc;
+        if wa.min(wb).min(wc) >= 0.0 {
+            *place = place.max((wa * a.nearness + wb * b.nearness + wc * c.nearness) as f32);
+        }
+    }
+}
+
+/// Where the sides of a triangle meet a row: the least and the greatest; none where they do not.
+fn between(corners: [Projected; 3], y: f64) -> Option<[f64; 2]> {
+    let [a, b, c] = corners;
+    let mut range: Option<[f64; 2]> = None;
+    for (p, q) in [(a, b), (b, c), (c, a)] {
+        if (p.y - y) * (q.y - y) > 0.0 || p.y == q.y {
+            continue;
+        }
+        let x = p.x + (y - p.y) / (q.y - p.y) * (q.x - p.x);
+        range = Some(range.map_or([x; 2], |[low, high]| [low.min(x), high.max(x)]));
+    }
+    range
 }
