@@ -9,13 +9,15 @@ import { roundedUp, short } from './numbers.js';
 import { colour } from './theme.js';
 
 /** Room for the numbers at the left, and above and below, in CSS pixels. */
-const LEFT = 52;
+const LEFT = 58;
 const RIGHT = 8;
 const TOP = 6;
 const BOTTOM = 8;
 /** Groups that are drawn on a logarithmic scale when their values span at least this many decades. */
 const LOG_GROUPS = ['ledger', 'penetration', 'residual', 'steps'];
 const LOG_DECADES = 3;
+/** Part of the largest value that an axis reaches beyond all values where these hardly differ. */
+const LEAST_SPAN = 0.01;
 /** Decades below the largest value that a logarithmic scale shows at most. */
 const MOST_DECADES = 18;
 
@@ -147,7 +149,9 @@ export class Plot {
         Math.max(Math.floor(low), Math.ceil(high) - MOST_DECADES),
         Math.max(Math.ceil(high), Math.floor(low) + 1),
       ];
-    const room = high > low ? (high - low) * 0.05 : Math.abs(high) * 0.05 || 1;
+    // Values that hardly differ are one line: the labels tell no digits in which they do.
+    const least = LEAST_SPAN * Math.max(Math.abs(low), Math.abs(high)) || 1;
+    const room = high - low < least ? least : (high - low) * 0.05;
     return [low - room, high + room];
   }
 
