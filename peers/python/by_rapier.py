@@ -29,10 +29,12 @@ SETTINGS = [
 def as_text(scene, samples):
     """The scene as the program reads it."""
     lines = [f"run {scene.duration!r} {samples}", f"material {scene.friction} {scene.restitution}"]
+    lines.append("gravity " + " ".join(repr(float(x)) for x in scene.gravity))
     lines += ["floor"] * scene.floor + ["wall"] * scene.wall
     for body in scene.bodies:
         size = (*body.size, 0, 0)[:3]
-        numbers = [*size, body.mass, *body.moments(), *body.position, *body.quaternion(), *body.velocity, *body.angular]
+        kind = 2 if body.fixed else 1 if body.along_x else 0
+        numbers = [*size, body.mass, *body.moments(), *body.position, *body.quaternion(), *body.velocity, *body.angular, *body.force, kind]
         lines.append(f"body {body.shape} " + " ".join(repr(float(x)) for x in numbers))
     names = [body.name for body in scene.bodies]
     for hinge in scene.hinges:
