@@ -4,7 +4,8 @@ import math
 import time
 from dataclasses import dataclass, replace
 
-from states import LONGEST, Contact, Recorded, Refused
+import states
+from states import Contact, Recorded, Refused
 
 
 @dataclass
@@ -160,8 +161,8 @@ def run(scene, setting, samples):
         if count:
             mujoco.mj_step(model, data, nstep=count)
         recorded.wall += time.perf_counter() - begin
-        if recorded.wall > LONGEST:
-            raise Refused(f"over {LONGEST} s")
+        if recorded.wall > states.LONGEST:
+            raise Refused(f"over {states.LONGEST} s")
         steps += count
         recorded.contacts.append(contacts(mujoco, model, data, numbers, setting.step) if count else [])
         # Poses and velocities in the world are those before the step until they are asked for again.

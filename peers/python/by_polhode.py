@@ -7,11 +7,8 @@ import pathlib
 import subprocess
 import tempfile
 
+import states
 from states import COLUMNS, Recorded, Refused
-
-
-# A run may take so long, s.
-LONGEST = 60
 
 
 def as_toml(scene, tier, samples, step=None):
@@ -61,9 +58,9 @@ def run(program, scene, tier, samples, step=None):
         file.write_text(as_toml(scene, tier, samples, step))
         command = [program, "run", "--quiet", "--json", str(file), "-o", str(out)]
         try:
-            done = subprocess.run(command, capture_output=True, text=True, check=False, timeout=LONGEST)
+            done = subprocess.run(command, capture_output=True, text=True, check=False, timeout=states.LONGEST)
         except subprocess.TimeoutExpired as error:
-            raise Refused(f"longer than {LONGEST} s") from error
+            raise Refused(f"over {states.LONGEST} s") from error
         report = json.loads(done.stdout) if done.stdout else {}
         # A report of a run that went to its end has an estimate of that name.
         if isinstance(report.get("error"), str) or done.returncode not in (0, 1):

@@ -3,6 +3,7 @@
 import subprocess
 from dataclasses import dataclass, replace
 
+import states
 from states import Contact, Recorded, Refused
 
 
@@ -46,7 +47,10 @@ def as_text(scene, samples):
 def run(program, scene, setting, samples):
     command = [program, repr(setting.step), str(setting.iterations), setting.model]
     text = as_text(scene, samples)
-    done = subprocess.run(command, input=text, capture_output=True, text=True, check=False, timeout=300)
+    try:
+        done = subprocess.run(command, input=text, capture_output=True, text=True, check=False, timeout=states.LONGEST)
+    except subprocess.TimeoutExpired as error:
+        raise Refused(f"over {states.LONGEST} s") from error
     if done.returncode != 0:
         raise Refused(done.stderr.strip())
     names = [body.name for body in scene.bodies]

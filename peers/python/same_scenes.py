@@ -28,6 +28,7 @@ import by_drake
 import by_mujoco
 import by_polhode
 import by_rapier
+import states
 from atlas_scenes import ATLAS
 from scenes import SCENES as FIRST, sliding
 from states import Refused, apart, file_name, gained, keep, read, residual
@@ -175,7 +176,7 @@ def measured(scene, engine, arguments, unit):
         recorded = engine.run(scene, SAMPLES)
     except Refused as error:
         print(f"{scene.name}, {engine.name}: {str(error)[:160]}", file=sys.stderr)
-        return ["refused", "", "", "", ""]
+        return [str(error) if str(error).startswith("over ") else "refused", "", "", "", ""]
     error = error_of(scene, recorded)
     if arguments.keep and error is not None:
         keep(arguments.keep, scene, engine.name, recorded, arguments.every)
@@ -268,6 +269,7 @@ def main():
     parser.add_argument("--rapier", help="the program of peers/examples/same_scenes.rs")
     parser.add_argument("--tiers", default=TIERS, help="tiers of polhode, with commas")
     parser.add_argument("--engine", default="", help="only engines whose names contain this")
+    parser.add_argument("--longest", type=float, default=states.LONGEST, help="a run may take so long, s")
     parser.add_argument("--fine", action="store_true", help="also runs at a quarter of each step")
     parser.add_argument("--keep", type=pathlib.Path, help="a folder for the recorded states")
     parser.add_argument("--every", type=int, default=1, help="keeps one sample of so many")
@@ -276,6 +278,7 @@ def main():
     parser.add_argument("--curves", type=pathlib.Path, help="an SVG file of errors over steps")
     parser.add_argument("scenes", nargs="*", help="names of scenes (default: all)")
     arguments = parser.parse_args()
+    states.LONGEST = arguments.longest
     if not arguments.recompute:
         tell_missing(arguments)
     if arguments.recompute:
