@@ -90,7 +90,7 @@ def peers(arguments):
     rapier = "0.36.1" if arguments.rapier else None
     return [
         Peer("rapier3d-f64", "0.36.1", rapier, by_rapier, "--rapier PROGRAM", (arguments.rapier,)),
-        Peer("MuJoCo", "4.0.1", installed("mujoco-core"), by_mujoco, "pip install mujoco-core==4.0.1"),
+        Peer("MuJoCo", "4.0.1", installed("mujoco-core") or installed("mujoco"), by_mujoco, "pip install mujoco-core==4.0.1"),
         Peer("Drake", "1.51.1", installed("drake"), by_drake, "pip install drake==1.51.1"),
     ]
 
