@@ -1,4 +1,4 @@
-"""Scenes with exact answers, by polhode, rapier, MuJoCo and Drake.
+"""Scenes with exact answers, by polhode, rapier, MuJoCo, Drake and Box3D.
 
     cargo build --release --manifest-path peers/Cargo.toml --example same_scenes
     python peers/python/same_scenes.py --polhode target/release/polhode --rapier peers/target/release/examples/same_scenes
@@ -24,6 +24,7 @@ import time
 from dataclasses import dataclass
 from importlib.metadata import PackageNotFoundError, version
 
+import by_box3d
 import by_drake
 import by_mujoco
 import by_polhode
@@ -86,12 +87,13 @@ def installed(package):
 
 
 def peers(arguments):
-    """All of them, whether they are there or not. The version of rapier is the one that peers/Cargo.toml asks for."""
-    rapier = "0.36.1" if arguments.rapier else None
+    """All of them, whether they are there or not. Versions of rapier and Box3D are those that peers/Cargo.toml asks for."""
+    rapier, box3d = "0.36.1" if arguments.rapier else None, "0.3.1" if arguments.box3d else None
     return [
         Peer("rapier3d-f64", "0.36.1", rapier, by_rapier, "--rapier PROGRAM", (arguments.rapier,)),
         Peer("MuJoCo", "4.0.1", installed("mujoco-core") or installed("mujoco"), by_mujoco, "pip install mujoco-core==4.0.1"),
         Peer("Drake", "1.51.1", installed("drake"), by_drake, "pip install drake==1.51.1"),
+        Peer("Box3D", "0.3.1", box3d, by_box3d, "--box3d PROGRAM", (arguments.box3d,)),
     ]
 
 
@@ -267,6 +269,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--polhode", help="the program")
     parser.add_argument("--rapier", help="the program of peers/examples/same_scenes.rs")
+    parser.add_argument("--box3d", help="the program of peers/examples/by_box3d.rs")
     parser.add_argument("--tiers", default=TIERS, help="tiers of polhode, with commas")
     parser.add_argument("--engine", default="", help="only engines whose names contain this")
     parser.add_argument("--longest", type=float, default=states.LONGEST, help="a run may take so long, s")

@@ -10,7 +10,7 @@ from scenes import SCENES
 
 
 def arguments(**more):
-    return argparse.Namespace(**{"polhode": None, "rapier": None, "tiers": "", "engine": "", "keep": None, "floats": False, "fine": False, **more})
+    return argparse.Namespace(**{"polhode": None, "rapier": None, "box3d": None, "tiers": "", "engine": "", "keep": None, "floats": False, "fine": False, **more})
 
 
 class MissingPeers(unittest.TestCase):
