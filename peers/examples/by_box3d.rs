@@ -6,9 +6,9 @@
 //!
 //! Box3D computes in f32. It has no plane: floor and wall are boxes of 200 m. It has no cylinder, and refuses it.
 
-use box3d::{
-    Body, BodyCreateOptions, BodyDef, BodyType, Filter, MassData, Matrix3, MotionLocks, Quat, RevoluteJointDef, ShapeDef,
-    SurfaceMaterial, Transform, Vec3, World,
+use polhode_peers::box3d::{
+    Body, BodyCreateOptions, BodyDef, BodyType, Filter, MassData, Matrix3, MotionLocks, Quat, RevoluteJointDef,
+    ShapeDef, SurfaceMaterial, Transform, Vec3, World,
 };
 use std::io::Read;
 use std::time::Instant;
@@ -96,11 +96,8 @@ fn body<'w>(world: &'w World, text: &Text, shape: &str, n: &[f64]) -> Result<Bod
     });
     if n[23] < 2.0 {
         let m = vector(n, 4);
-        let inertia = Matrix3 {
-            cx: Vec3::new(m.x, 0.0, 0.0),
-            cy: Vec3::new(0.0, m.y, 0.0),
-            cz: Vec3::new(0.0, 0.0, m.z),
-        };
+        let inertia =
+            Matrix3 { cx: Vec3::new(m.x, 0.0, 0.0), cy: Vec3::new(0.0, m.y, 0.0), cz: Vec3::new(0.0, 0.0, m.z) };
         body.set_mass_data(MassData { mass: n[3] as f32, center: Vec3::ZERO, inertia });
         let locked = n[23] >= 1.0;
         body.set_motion_locks(MotionLocks {

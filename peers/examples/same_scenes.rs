@@ -6,11 +6,11 @@
 //! ```
 //!
 //! Numbers of a line are divided by blanks (SI units, quaternions `w x y z`). Lines of a scene: `run DURATION SAMPLES`,
-//! `material FRICTION RESTITUTION`, `floor` or `wall`, `body SHAPE SIZE(3) MASS MOMENTS(3) POSITION(3) QUATERNION(4)
-//! LINEAR(3) ANGULAR(3) FORCE(3) KIND` (kind 1 moves along x alone, 2 never), `gravity VECTOR(3)` before, `joint A B ANCHOR(3)`: a hinge along y, -1 is the world; bodies of a scene with joints do not
-//! collide. What comes back: `state T BODY` and 13 numbers, `contact T A B POINT(3) NORMAL(3) IMPULSE(3) GAP H BACK`,
-//! `wall SECONDS`. Points and gaps are of the poses before the step, from which the engine took them, `BACK` seconds
-//! before the states.
+//! `material FRICTION RESTITUTION`, `gravity VECTOR(3)`, `floor` or `wall`, `body SHAPE SIZE(3) MASS MOMENTS(3)
+//! POSITION(3) QUATERNION(4) LINEAR(3) ANGULAR(3) FORCE(3) KIND` (kind 1 moves along x alone, 2 never), `joint A B
+//! ANCHOR(3)`: a hinge along y, -1 is the world; bodies of a scene with joints do not collide. What comes back:
+//! `state T BODY` and 13 numbers, `contact T A B POINT(3) NORMAL(3) IMPULSE(3) GAP H BACK`, `wall SECONDS`. Points and
+//! gaps are of the poses before the step, from which the engine took them, `BACK` seconds before the states.
 
 use polhode::spatial::{DVec3, Rotation};
 use rapier3d::prelude::{
