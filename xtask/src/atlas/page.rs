@@ -49,27 +49,29 @@ fn others(entries: &[&Entry], peers: &[PeerRun]) -> String {
     let with: Vec<&&Entry> = entries.iter().filter(|entry| !entry.peers.is_empty()).collect();
     let mut text = "\n## Where other engines are nearer\n\n".to_owned();
     let mut nearer = String::new();
-    let mut results = 0;
-    for entry in &with {
-        let before = nearer.len();
-        for scene in &entry.peers {
-            let runs = || peers.iter().filter(move |run| run.scene == *scene);
-            let own = runs().find(|run| run.is_most_accurate_own()).and_then(PeerRun::number).unwrap_or(f64::INFINITY);
-            for run in runs().filter(|run| !run.is_own() && run.number().is_some_and(|error| error < own)) {
-                let title = format!("[{}](#{})", entry.title, anchor(&entry.title));
-                let _ = writeln!(nearer, "- {title}: {}, {} where polhode is {own:.1e} off", run.engine, run.error);
-            }
+    for (entry, scene) in with.iter().flat_map(|entry| entry.peers.iter().map(move |scene| (entry, scene))) {
+        let runs = || peers.iter().filter(move |run| run.scene == *scene);
+        let own = runs().find(|run| run.is_most_accurate_own()).and_then(PeerRun::number).unwrap_or(f64::INFINITY);
+        for run in runs().filter(|run| !run.is_own() && run.number().is_some_and(|error| error < own)) {
+            let _ = writeln!(
+                nearer,
+                "- [{}](#{}): {}, {} where polhode is {own:.1e} off",
+                entry.title,
+                anchor(&entry.title),
+                run.engine,
+                run.error
+            );
         }
-        results += usize::from(nearer.len() > before);
     }
-    let share = if results == 0 { "none".to_owned() } else { results.to_string() };
-    let _ = writeln!(
-        text,
-        "In {share} of the {} results below that other engines were run on, with the tier `accurate`. Where the \
-         other tiers of polhode are farther off than they, and where others take less time, [Beside other \
-         engines](peers.md) says first. On the other results no engine but this one was run.\n",
-        with.len()
-    );
+    if nearer.is_empty() {
+        let _ = writeln!(
+            text,
+            "In none of the {} results below that other engines were run on, with the tier `accurate`. Where the \
+             other tiers of polhode are farther off than they, and where others take less time, [Beside other \
+             engines](peers.md) says first. On the other results no engine but this one was run.",
+            with.len()
+        );
+    }
     text + &nearer
 }
 
