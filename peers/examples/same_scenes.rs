@@ -6,11 +6,11 @@
 //! ```
 //!
 //! Numbers of a line are divided by blanks (SI units, quaternions `w x y z`). Lines of a scene: `run DURATION SAMPLES`,
-//! `material FRICTION RESTITUTION`, `floor` or `wall`, `body SHAPE SIZE(3) MASS MOMENTS(3) POSITION(3) QUATERNION(4)
-//! LINEAR(3) ANGULAR(3)`, `joint A B ANCHOR(3)`: a hinge along y, -1 is the world; bodies of a scene with joints do not
-//! collide. What comes back: `state T BODY` and 13 numbers, `contact T A B POINT(3) NORMAL(3) IMPULSE(3) GAP H BACK`,
-//! `wall SECONDS`. Points and gaps are of the poses before the step, from which the engine took them, `BACK` seconds
-//! before the states.
+//! `material FRICTION RESTITUTION`, `gravity VECTOR(3)`, `floor` or `wall`, `body SHAPE SIZE(3) MASS MOMENTS(3)
+//! POSITION(3) QUATERNION(4) LINEAR(3) ANGULAR(3) FORCE(3) KIND` (kind 1 moves along x alone, 2 never), `joint A B
+//! ANCHOR(3)`: a hinge along y, -1 is the world; bodies of a scene with joints do not collide. What comes back:
+//! `state T BODY` and 13 numbers, `contact T A B POINT(3) NORMAL(3) IMPULSE(3) GAP H BACK`, `wall SECONDS`. Points and
+//! gaps are of the poses before the step, from which the engine took them, `BACK` seconds before the states.
 
 use polhode::spatial::{DVec3, Rotation};
 use rapier3d::prelude::{
@@ -70,11 +70,15 @@ impl Run {
         let (size, mass, moments) = (vector(n, 0)?, n[3], vector(n, 4)?);
         let turn = Rotation::from_wxyz([n[10], n[11], n[12], n[13]]).map_err(|error| error.to_string())?;
         let pose = rapier3d::math::Pose::from_parts(vector(n, 7)?, turn.quaternion());
-        let body = RigidBodyBuilder::dynamic()
+        let builder = if n[23] >= 2.0 { RigidBodyBuilder::fixed() } else { RigidBodyBuilder::dynamic() };
+        let is_free = n[23] < 1.0;
+        let body = builder
             .additional_mass_properties(MassProperties::new(DVec3::ZERO, mass, moments))
             .pose(pose)
             .linvel(vector(n, 14)?)
             .angvel(vector(n, 17)?)
+            .enabled_translations(true, is_free, is_free)
+            .enabled_rotations(is_free, is_free, is_free)
             .can_sleep(false);
         let collider = match shape {
             "sphere" => ColliderBuilder::ball(size.x),
@@ -88,6 +92,7 @@ impl Run {
         };
         let collider = collider.density(0.0).friction(self.friction).restitution(self.restitution);
         let (body, collider) = self.world.insert(body, collider);
+        self.world.bodies[body].add_force(vector(n, 20)?, true);
         self.numbers.insert(collider, self.bodies.len());
         self.bodies.push(body);
         Ok(())
@@ -118,7 +123,8 @@ impl Run {
             words.map(str::parse).collect::<Result<Vec<f64>, _>>().map_err(|error| format!("{line}: {error}"))?;
         let needed = match kind {
             "run" | "material" => 2,
-            "body" => 20,
+            "body" => 24,
+            "gravity" => 3,
             "joint" => 5,
             _ => 0,
         };
@@ -128,6 +134,7 @@ impl Run {
         match kind {
             "run" => (self.duration_s, self.samples) = (numbers[0], numbers[1] as usize),
             "material" => (self.friction, self.restitution) = (numbers[0], numbers[1]),
+            "gravity" => self.world.gravity = vector(&numbers, 0)?,
             "floor" => self.plane(DVec3::Z),
             "wall" => self.plane(DVec3::X),
             "body" => self.body(shape, &numbers)?,

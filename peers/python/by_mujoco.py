@@ -1,11 +1,11 @@
-"""The scenes by MuJoCo (pip install mujoco)."""
+"""The scenes by MuJoCo (pip install mujoco-core)."""
 
 import math
 import time
 from dataclasses import dataclass, replace
 
-from scenes import G
-from states import Contact, Recorded
+import states
+from states import Contact, Recorded, Refused
 
 
 @dataclass
@@ -28,6 +28,13 @@ SETTINGS = [
 ]
 
 
+def for_scene(scene, setting):
+    """Where nothing touches the best found is the integrator of order 4, at 1 ms."""
+    if scene.smooth and setting.name == "best found":
+        return Setting(setting.name, max(setting.step, 0.001), 'integrator="RK4"', setting.contact_steps)
+    return setting
+
+
 def softness(scene, setting):
     """Restitution is that of a spring with the damping that gives it."""
     if scene.restitution > 0:
@@ -38,6 +45,11 @@ def softness(scene, setting):
     return f'solref="{setting.contact_steps * setting.step} 1"' if setting.contact_steps else ""
 
 
+def tree_of(scene):
+    """Hinges that close no loop: a hinge alone, or all but the last."""
+    return scene.hinges[:-1] if len(scene.hinges) > 1 else scene.hinges
+
+
 def as_mjcf(scene, setting):
     """The scene as a file of MuJoCo. Hinges but the last are a tree, the last closes the loop."""
     solref = softness(scene, setting)
@@ -45,23 +57,27 @@ def as_mjcf(scene, setting):
     if scene.hinges:
         geom = 'contype="0" conaffinity="0"'
     text = [
-        f'<mujoco><option timestep="{setting.step}" gravity="0 0 {-G}" {setting.options}/>',
+        f'<mujoco><option timestep="{setting.step}" gravity="{words(scene.gravity)}" {setting.options}/>',
         f"<default><geom {geom}/></default><worldbody>",
     ]
     if scene.floor:
         text.append('<geom type="plane" size="0 0 1"/>')
     if scene.wall:
         text.append('<geom type="plane" size="0 0 1" zaxis="1 0 0"/>')
-    parents = {hinge.body: hinge for hinge in scene.hinges[:-1]}
+    parents = {hinge.body: hinge for hinge in tree_of(scene)}
     roots = [body for body in scene.bodies if body.name not in parents or parents[body.name].on is None]
     text += [element(scene, body, parents, None) for body in roots]
     text.append("</worldbody>")
-    if scene.hinges:
+    if len(scene.hinges) > 1:
         last = scene.hinges[-1]
         body = next(body for body in scene.bodies if body.name == last.body)
-        anchor = " ".join(repr(float(x)) for x in local(body, last.anchor))
-        text.append(f'<equality><connect body1="{last.body}" body2="{last.on}" anchor="{anchor}" {solref}/></equality>')
+        on = f'body2="{last.on}"' if last.on else ""
+        text.append(f'<equality><connect body1="{last.body}" {on} anchor="{words(local(body, last.anchor))}" {solref}/></equality>')
     return "".join(text) + "</mujoco>"
+
+
+def words(numbers):
+    return " ".join(repr(float(x)) for x in numbers)
 
 
 def local(body, point):
@@ -77,7 +93,7 @@ def element(scene, body, parents, parent):
     if body.shape in ("capsule", "cylinder"):
         half = (body.size[0], 0.5 * body.size[1])
     place, turn = body.position, body.about_y
-    joint = "<freejoint/>"
+    joint = "" if body.fixed else '<joint type="slide" axis="1 0 0"/>' if body.along_x else "<freejoint/>"
     if body.name in parents:
         anchor = " ".join(repr(float(x)) for x in local(body, parents[body.name].anchor))
         joint = f'<joint type="hinge" axis="0 1 0" pos="{anchor}"/>'
@@ -119,15 +135,23 @@ def state(mujoco, model, data, name):
 def run(scene, setting, samples):
     import mujoco
 
+    setting = for_scene(scene, setting)
     model = mujoco.MjModel.from_xml_string(as_mjcf(scene, setting))
     data = mujoco.MjData(model)
     if not scene.hinges:
-        for k, body in enumerate(scene.bodies):
+        k = 0
+        for body in scene.bodies:
+            if body.force != (0.0, 0.0, 0.0):
+                data.xfrc_applied[model.body(body.name).id, :3] = body.force
+            if body.fixed or body.along_x:
+                k += not body.fixed
+                continue
             c, s = math.cos(body.about_y), math.sin(body.about_y)
             x, y, z = body.angular
-            data.qvel[6 * k : 6 * k + 3] = body.velocity
+            data.qvel[k : k + 3] = body.velocity
             # Angular velocities of free bodies are in their own axes.
-            data.qvel[6 * k + 3 : 6 * k + 6] = (c * x - s * z, y, s * x + c * z)
+            data.qvel[k + 3 : k + 6] = (c * x - s * z, y, s * x + c * z)
+            k += 6
     numbers = {model.body(body.name).id: k for k, body in enumerate(scene.bodies)}
     recorded, steps = Recorded(tracks={body.name: [] for body in scene.bodies}, wall=0.0), 0
     for sample in range(samples + 1):
@@ -137,6 +161,8 @@ def run(scene, setting, samples):
         if count:
             mujoco.mj_step(model, data, nstep=count)
         recorded.wall += time.perf_counter() - begin
+        if recorded.wall > states.LONGEST:
+            raise Refused(f"over {states.LONGEST} s")
         steps += count
         recorded.contacts.append(contacts(mujoco, model, data, numbers, setting.step) if count else [])
         # Poses and velocities in the world are those before the step until they are asked for again.

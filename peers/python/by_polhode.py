@@ -7,19 +7,15 @@ import pathlib
 import subprocess
 import tempfile
 
-from scenes import G
+import states
 from states import COLUMNS, Recorded, Refused
-
-
-# A run may take so long, s.
-LONGEST = 60
 
 
 def as_toml(scene, tier, samples, step=None):
     """The scene as a file of polhode."""
     method = f'[method]\ntier = "{tier}"\n' + (f"step = {step!r}\n" if step else "")
     text = [
-        f'format = 1\nname = "scene"\nduration = {scene.duration!r}\ngravity = [0, 0, {-G}]\n',
+        f'format = 1\nname = "scene"\nduration = {scene.duration!r}\ngravity = {list(scene.gravity)}\n',
         f"{method}[output]\ninterval = {scene.duration / samples!r}\n",
         f"[materials.all]\nfriction = {scene.friction}\nrestitution = {scene.restitution}\n",
     ]
@@ -33,6 +29,9 @@ def as_toml(scene, tier, samples, step=None):
         "cylinder": lambda s: f"shape.cylinder = {{ radius = {s[0]}, height = {s[1]} }}",
     }
     for body in scene.bodies:
+        if body.fixed:
+            text.append(f'[[bodies]]\nname = "{body.name}"\nfixed = true\nposition = {list(body.position)}\nmaterial = "all"\n{shapes[body.shape](body.size)}\n')
+            continue
         text.append(
             f'[[bodies]]\nname = "{body.name}"\nmass = {body.mass}\nmaterial = "all"\nposition = {list(body.position)}\n'
             f"velocity = {list(body.velocity)}\nangular_velocity = {list(body.angular)}\n"
@@ -40,10 +39,15 @@ def as_toml(scene, tier, samples, step=None):
         )
         if body.inertia:
             text.append(f"inertia = {list(body.inertia)}\n")
+    for body in scene.bodies:
+        if body.along_x:
+            text.append(f'[[joints]]\ntype.slider = {{ bodies = ["{body.name}"], anchor = {list(body.position)}, axis = [1, 0, 0] }}\n')
+        if body.force != (0.0, 0.0, 0.0):
+            text.append(f'[[forces]]\ntype.force = {{ body = "{body.name}", force = {list(body.force)} }}\n')
     for hinge in scene.hinges:
         bodies = json.dumps([hinge.body, *([hinge.on] if hinge.on else [])])
         text.append(f"[[joints]]\ntype.hinge = {{ bodies = {bodies}, anchor = {list(hinge.anchor)}, axis = [0, 1, 0] }}\n")
-    if scene.hinges:
+    if len(scene.hinges) > 1:
         text.append(f"[[no_contact]]\nbodies = {json.dumps([body.name for body in scene.bodies])}\n")
     return "".join(text)
 
@@ -54,12 +58,13 @@ def run(program, scene, tier, samples, step=None):
         file.write_text(as_toml(scene, tier, samples, step))
         command = [program, "run", "--quiet", "--json", str(file), "-o", str(out)]
         try:
-            done = subprocess.run(command, capture_output=True, text=True, check=False, timeout=LONGEST)
+            done = subprocess.run(command, capture_output=True, text=True, check=False, timeout=states.LONGEST)
         except subprocess.TimeoutExpired as error:
-            raise Refused(f"longer than {LONGEST} s") from error
+            raise Refused(f"over {states.LONGEST} s") from error
         report = json.loads(done.stdout) if done.stdout else {}
-        if "error" in report or done.returncode not in (0, 1):
-            raise Refused(report.get("error") or done.stderr.strip())
+        # A report of a run that went to its end has an estimate of that name.
+        if isinstance(report.get("error"), str) or done.returncode not in (0, 1):
+            raise Refused(str(report.get("error") or done.stderr.strip()))
         recorded = Recorded(tracks={body.name: [] for body in scene.bodies}, wall=report.get("wall_s"))
         recorded.own_residual = report.get("max_residual")
         for row in csv.DictReader(io.StringIO(out.read_text())):

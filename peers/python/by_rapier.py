@@ -3,6 +3,7 @@
 import subprocess
 from dataclasses import dataclass, replace
 
+import states
 from states import Contact, Recorded, Refused
 
 
@@ -29,10 +30,12 @@ SETTINGS = [
 def as_text(scene, samples):
     """The scene as the program reads it."""
     lines = [f"run {scene.duration!r} {samples}", f"material {scene.friction} {scene.restitution}"]
+    lines.append("gravity " + " ".join(repr(float(x)) for x in scene.gravity))
     lines += ["floor"] * scene.floor + ["wall"] * scene.wall
     for body in scene.bodies:
         size = (*body.size, 0, 0)[:3]
-        numbers = [*size, body.mass, *body.moments(), *body.position, *body.quaternion(), *body.velocity, *body.angular]
+        kind = 2 if body.fixed else 1 if body.along_x else 0
+        numbers = [*size, body.mass, *body.moments(), *body.position, *body.quaternion(), *body.velocity, *body.angular, *body.force, kind]
         lines.append(f"body {body.shape} " + " ".join(repr(float(x)) for x in numbers))
     names = [body.name for body in scene.bodies]
     for hinge in scene.hinges:
@@ -44,7 +47,10 @@ def as_text(scene, samples):
 def run(program, scene, setting, samples):
     command = [program, repr(setting.step), str(setting.iterations), setting.model]
     text = as_text(scene, samples)
-    done = subprocess.run(command, input=text, capture_output=True, text=True, check=False, timeout=300)
+    try:
+        done = subprocess.run(command, input=text, capture_output=True, text=True, check=False, timeout=states.LONGEST)
+    except subprocess.TimeoutExpired as error:
+        raise Refused(f"over {states.LONGEST} s") from error
     if done.returncode != 0:
         raise Refused(done.stderr.strip())
     names = [body.name for body in scene.bodies]

@@ -1,4 +1,4 @@
-"""Scenes with exact answers, by polhode, rapier, MuJoCo and Drake.
+"""Scenes with exact answers, by polhode, rapier, MuJoCo, Drake and Box3D.
 
     cargo build --release --manifest-path peers/Cargo.toml --example same_scenes
     python peers/python/same_scenes.py --polhode target/release/polhode --rapier peers/target/release/examples/same_scenes
@@ -12,7 +12,8 @@ the end from that of the same setting at a quarter of its step, m; the time in u
 A run that breaks (a position that is no number, or an error above `BROKEN`) is marked. `--keep` writes the recorded states as CSV,
 `--recompute` computes the table from such files. `--floats` gives how high sliding boxes float, `--curves FILE` errors over steps.
 
-Engines that are not there are left out.
+An engine that is not there, or another version than that recorded, is not left out: its rows have the error of the recorded states, and say so.
+With `--keep` any version is run.
 """
 
 import argparse
@@ -21,14 +22,20 @@ import pathlib
 import sys
 import time
 from dataclasses import dataclass
+from importlib.metadata import PackageNotFoundError, version
 
+import by_box3d
 import by_drake
 import by_mujoco
 import by_polhode
 import by_rapier
-from scenes import SCENES, sliding
+import states
+from atlas_scenes import ATLAS
+from scenes import SCENES as FIRST, sliding
 from states import Refused, apart, file_name, gained, keep, read, residual
 
+SCENES = FIRST + ATLAS
+RECORDED = pathlib.Path(__file__).resolve().parent.parent / "recorded"
 SAMPLES = 200
 # An error (of what the scene says) above which nothing is left of the motion.
 BROKEN = 10.0
@@ -47,6 +54,47 @@ class Engine:
     run: object
     with_step: object
     step: float | None
+    # Why it shows recorded states and runs nothing.
+    recorded: str | None = None
+
+
+@dataclass
+class Peer:
+    """An engine that is not polhode: its name, the version whose states are recorded, that which is there (none: it is not), what it needs."""
+
+    name: str
+    recorded: str
+    there: str | None
+    module: object
+    needs: str
+    program: tuple = ()
+
+    def why_recorded(self, keeps):
+        """Why recorded states are shown instead of a run; none where it is run. What is to be recorded is run by any version."""
+        if self.there is None:
+            return f"not installed ({self.needs}), as recorded"
+        if self.there != self.recorded and not keeps:
+            return f"{self.there} is installed, as recorded"
+        return None
+
+
+def installed(package):
+    """The version of a package of Python, or none."""
+    try:
+        return version(package)
+    except PackageNotFoundError:
+        return None
+
+
+def peers(arguments):
+    """All of them, whether they are there or not. Versions of rapier and Box3D are those that peers/Cargo.toml asks for."""
+    rapier, box3d = "0.36.1" if arguments.rapier else None, "0.3.1" if arguments.box3d else None
+    return [
+        Peer("rapier3d-f64", "0.36.1", rapier, by_rapier, "--rapier PROGRAM", (arguments.rapier,)),
+        Peer("MuJoCo", "4.0.1", installed("mujoco-core") or installed("mujoco"), by_mujoco, "pip install mujoco-core==4.0.1"),
+        Peer("Drake", "1.51.1", installed("drake"), by_drake, "pip install drake==1.51.1"),
+        Peer("Box3D", "0.3.1", box3d, by_box3d, "--box3d PROGRAM", (arguments.box3d,)),
+    ]
 
 
 def engines(arguments):
@@ -55,30 +103,37 @@ def engines(arguments):
         usual = {"fast": 1 / 60, "stepped": 0.001, "micro-collisions": 0.001, "thesis": 0.01}.get(tier)
         return Engine(f"polhode, {tier}", run, lambda step: polhode(tier, step), step or usual)
 
-    def peer(module, name, setting, *program):
-        run = lambda scene, samples: module.run(*program, scene, setting, samples)
-        again = lambda step: peer(module, name, setting.with_step(step), *program)
-        return Engine(f"{name}, {setting.name}", run, again, setting.step)
+    def runs(peer, setting):
+        run = lambda scene, samples: peer.module.run(*peer.program, scene, setting, samples)
+        return Engine(f"{peer.name} {peer.there}, {setting.name}", run, lambda step: runs(peer, setting.with_step(step)), setting.step)
+
+    def as_recorded(peer, setting, why):
+        name = f"{peer.name} {peer.recorded}, {setting.name}"
+        return Engine(name, lambda scene, samples: read(RECORDED, scene, name), None, None, why)
 
     found = [polhode(tier) for tier in arguments.tiers.split(",")] if arguments.polhode else []
-    if arguments.rapier:
-        found += [peer(by_rapier, "rapier3d-f64 0.36.1", s, arguments.rapier) for s in by_rapier.SETTINGS]
-    try:
-        import mujoco
-
-        found += [peer(by_mujoco, f"MuJoCo {mujoco.__version__}", s) for s in by_mujoco.SETTINGS]
-    except ImportError:
-        print("MuJoCo is not installed (pip install mujoco)", file=sys.stderr)
-    try:
-        import pydrake
-        from importlib.metadata import version
-
-        found += [peer(by_drake, f"Drake {version('drake')}", s) for s in by_drake.SETTINGS]
-        if arguments.floats:
-            found.append(peer(by_drake, f"Drake {version('drake')}", by_drake.CONVEX))
-    except ImportError:
-        print("Drake is not installed (pip install drake)", file=sys.stderr)
+    for peer in peers(arguments):
+        why = peer.why_recorded(arguments.keep)
+        settings = peer.module.SETTINGS + ([by_drake.CONVEX] if arguments.floats and peer.module is by_drake else [])
+        found += [as_recorded(peer, s, why) if why else runs(peer, s) for s in settings]
     return [engine for engine in found if arguments.engine in engine.name]
+
+
+def tell_missing(arguments):
+    """Says which engines are not there."""
+    for peer in peers(arguments):
+        why = peer.why_recorded(arguments.keep)
+        if why and arguments.engine in f"{peer.name} {peer.recorded}":
+            print(f"{peer.name} {peer.recorded}: {why}", file=sys.stderr)
+
+
+def error_of_table(scene, engine):
+    """What the table beside the recorded states has for a run without states: broken, refused, or nothing."""
+    for line in (RECORDED / "README.md").read_text().splitlines():
+        cells = [cell.strip() for cell in line.split("|")]
+        if cells[1:3] == [scene.name, engine]:
+            return cells[3]
+    return "not recorded"
 
 
 def yardstick():
@@ -101,13 +156,29 @@ def told(value):
     return "-" if value is None else "0" if value == 0 else f"{value:.1e}"
 
 
+def change(scene, recorded):
+    energy = gained(scene, recorded)
+    return "-" if energy is None else f"{energy:+.1e}"
+
+
+def of_record(scene, engine):
+    """The fields of a row of an engine that is not there."""
+    try:
+        recorded = engine.run(scene, SAMPLES)
+    except FileNotFoundError:
+        return [error_of_table(scene, engine.name), "", "", "", engine.recorded]
+    return [told(error_of(scene, recorded)), change(scene, recorded), "-", "-", engine.recorded]
+
+
 def measured(scene, engine, arguments, unit):
     """The fields of a row."""
+    if engine.recorded:
+        return of_record(scene, engine)
     try:
         recorded = engine.run(scene, SAMPLES)
     except Refused as error:
         print(f"{scene.name}, {engine.name}: {str(error)[:160]}", file=sys.stderr)
-        return ["refused", "", "", "", ""]
+        return [str(error) if str(error).startswith("over ") else "refused", "", "", "", ""]
     error = error_of(scene, recorded)
     if arguments.keep and error is not None:
         keep(arguments.keep, scene, engine.name, recorded, arguments.every)
@@ -123,7 +194,7 @@ def measured(scene, engine, arguments, unit):
             fine = apart(recorded, engine.with_step(engine.step / 4).run(scene, SAMPLES))
         except Refused:
             pass
-    return [told(error), f"{gained(scene, recorded):+.1e}", law, told(fine), f"{recorded.wall / unit:.2g}"]
+    return [told(error), change(scene, recorded), law, told(fine), f"{recorded.wall / unit:.2g}"]
 
 
 def table(arguments):
@@ -146,7 +217,7 @@ def recompute(arguments):
             engine = file.name.removeprefix(begin).removesuffix(".csv.gz")
             recorded = read(arguments.recompute, scene, engine)
             error = error_of(scene, recorded)
-            cells = [told(error), f"{gained(scene, recorded):+.1e}"] if error is not None else ["broken", ""]
+            cells = [told(error), change(scene, recorded)] if error is not None else ["broken", ""]
             print(f"| {scene.name} | {engine} | " + " | ".join(cells) + " |")
 
 
@@ -155,6 +226,9 @@ def floats(arguments):
     cases = [(mu, v) for mu in (0.1, 0.5, 1.0) for v in (0.1, 1.0, 10.0)]
     print("| engine | " + " | ".join(f"mu {mu}, {v} m/s" for mu, v in cases) + " |\n" + "|---" * (len(cases) + 1) + "|")
     for engine in engines(arguments):
+        if engine.recorded:
+            print(f"| {engine.name}: {engine.recorded}, where docs/peers.md has these heights " + "| " * len(cases) + "|")
+            continue
         cells = []
         for mu, v in cases:
             scene = sliding(mu, v)
@@ -195,8 +269,10 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--polhode", help="the program")
     parser.add_argument("--rapier", help="the program of peers/examples/same_scenes.rs")
+    parser.add_argument("--box3d", help="the program of peers/examples/by_box3d.rs")
     parser.add_argument("--tiers", default=TIERS, help="tiers of polhode, with commas")
     parser.add_argument("--engine", default="", help="only engines whose names contain this")
+    parser.add_argument("--longest", type=float, default=states.LONGEST, help="a run may take so long, s")
     parser.add_argument("--fine", action="store_true", help="also runs at a quarter of each step")
     parser.add_argument("--keep", type=pathlib.Path, help="a folder for the recorded states")
     parser.add_argument("--every", type=int, default=1, help="keeps one sample of so many")
@@ -205,6 +281,9 @@ def main():
     parser.add_argument("--curves", type=pathlib.Path, help="an SVG file of errors over steps")
     parser.add_argument("scenes", nargs="*", help="names of scenes (default: all)")
     arguments = parser.parse_args()
+    states.LONGEST = arguments.longest
+    if not arguments.recompute:
+        tell_missing(arguments)
     if arguments.recompute:
         recompute(arguments)
     elif arguments.floats:

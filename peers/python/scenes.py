@@ -19,6 +19,11 @@ class Body:
     about_y: float = 0.0
     inertia: tuple | None = None
     angular: tuple = (0.0, 0.0, 0.0)
+    # A constant force at the centre of mass, N.
+    force: tuple = (0.0, 0.0, 0.0)
+    # One that never moves, and one that moves along x alone.
+    fixed: bool = False
+    along_x: bool = False
 
     def moments(self):
         """About its own axes, kg m^2: those given, or of a solid of even density."""
@@ -61,7 +66,11 @@ class Scene:
     wall: bool = False
     hinges: list = field(default_factory=list)
     floor: bool = True
-    # What the exact motion loses, and the largest energy of the motion, J.
+    # m/s^2.
+    gravity: tuple = (0.0, 0.0, -G)
+    # Nothing touches and no loop is closed, so that an integrator of high order can be asked for.
+    smooth: bool = False
+    # What the exact motion loses (none: not in closed form), and the largest energy of the motion, J.
     lost: float = 0.0
     scale: float = 1.0
 

@@ -9,8 +9,8 @@ import io
 import math
 from dataclasses import dataclass, field
 
-from scenes import G
-
+# A run may take so long, s.
+LONGEST = 60
 COLUMNS = ["px", "py", "pz", "qw", "qx", "qy", "qz", "vx", "vy", "vz", "wx", "wy", "wz"]
 
 
@@ -65,13 +65,16 @@ def energy(scene, states):
     for body in scene.bodies:
         s = states[body.name]
         turn = into_body(s[3:7], s[10:13])
-        total += 0.5 * body.mass * dot(s[7:10], s[7:10]) + body.mass * G * s[2]
+        total += 0.5 * body.mass * dot(s[7:10], s[7:10]) - body.mass * dot(scene.gravity, s[:3]) - dot(body.force, s[:3])
         total += 0.5 * sum(i * w * w for i, w in zip(body.moments(), turn))
     return total
 
 
 def gained(scene, recorded):
-    """Energy made (positive) or lost beyond what the exact motion loses, of the largest energy of the motion."""
+    """Energy made (positive) or lost beyond what the exact motion loses, of the largest energy of the motion;
+    none where that is not known in closed form."""
+    if scene.lost is None:
+        return None
     first, last = ({name: track[k] for name, track in recorded.tracks.items()} for k in (0, -1))
     return (energy(scene, last) - energy(scene, first) + scene.lost) / scene.scale
 

@@ -9,3 +9,7 @@
 //!
 //! `cargo bench --manifest-path peers/Cargo.toml --bench NAME`. The package is a workspace of its own: whoever builds
 //! or tests polhode need not compile what it is held against.
+
+/// Box3D, whose build asks for more than the others: behind a feature, which dev-dependencies cannot have.
+#[cfg(feature = "box3d")]
+pub use box3d;
