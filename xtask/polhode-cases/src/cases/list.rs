@@ -2,15 +2,15 @@
 
 use super::case::{Case, Company};
 use super::{
-    accuracy_choice, arches, chung_ooi, convergence, convex_pairs, crowds, curved_bodies, decomposition, diamonds,
-    effects, elastic_body, error_estimates, exact_drift, falling_shapes, fast_tier, free_rotation, friction_effects,
-    friction_invariances, friction_scenes, frictional_impacts, frictional_statics, heaps, heavy_tops, impact_chains,
-    impact_laws, impacts, impacts_every_way, invariances, joints, ledger, long_runs, mass_properties, numerical_loss,
-    one_dependency, orders_in_contact, peers, pi_machine, polhode_times, published_rotations, random_scenes,
-    random_solids, reductions, rest_every_way, resting_contact, rigid_ipc, rocking_and_toppling, rolling_disc, seams,
-    sliding, sliding_and_spinning, sliding_height, slipping_and_rolling, slopes, snapshots, speed, spinning_scenes,
-    stability, stackings, stacks, stacks_on_slopes, stiffness_limit, structures, table_edge, thesis_forces,
-    thesis_tier, tiers_agree, tunnelling, units, valleys, videos, walls,
+    accuracy_choice, arches, chung_ooi, convergence, convex_pairs, crowds, cube_tosses, curved_bodies, decomposition,
+    diamonds, effects, elastic_body, error_estimates, exact_drift, falling_shapes, fast_tier, free_rotation,
+    friction_effects, friction_invariances, friction_scenes, frictional_impacts, frictional_statics, heaps, heavy_tops,
+    impact_chains, impact_laws, impacts, impacts_every_way, invariances, joints, ledger, long_runs, mass_properties,
+    numerical_loss, one_dependency, orders_in_contact, peers, pi_machine, polhode_times, published_rotations,
+    random_scenes, random_solids, reductions, rest_every_way, resting_contact, rigid_ipc, rocking_and_toppling,
+    rolling_disc, seams, sliding, sliding_and_spinning, sliding_height, slipping_and_rolling, slopes, snapshots, speed,
+    spinning_scenes, stability, stackings, stacks, stacks_on_slopes, stiffness_limit, structures, table_edge,
+    thesis_forces, thesis_tier, tiers_agree, tunnelling, units, valleys, videos, walls,
 };
 
 /// Cases that build.
@@ -209,6 +209,7 @@ pub const ALL: &[Case] = &[
     Case { name: "sliding does not float", rows: sliding_height::rows },
     Case { name: "tier thesis", rows: thesis_tier::diamonds },
     Case { name: "videos", rows: videos::rows },
+    Case { name: "cube tosses", rows: cube_tosses::rows },
     Case { name: "thesis forces", rows: thesis_forces::rows },
     Case { name: "ledger", rows: ledger::shipped_scenes },
     Case { name: "energy at e = 1", rows: ledger::elastic_scenes },

@@ -31,6 +31,7 @@ mod context;
 mod convergence;
 mod convex_pairs;
 mod crowds;
+mod cube_tosses;
 mod curved_bodies;
 mod decomposition;
 mod diamonds;
