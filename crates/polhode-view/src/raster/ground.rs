@@ -91,8 +91,8 @@ impl Ground {
         }
     }
 
-    /// What a block sees whose corners are seen in these directions. The cells of a grid and the part of a plane that has
-    /// not faded are convex, and so is their picture: what holds at the corners holds between them.
+    /// What a block sees whose corners are seen in these directions. The cells of a grid and the part of a plane that
+    /// has not faded are convex, and so is their picture: what holds at the corners holds between them.
     pub fn block(&self, eye: DVec3, corners: [DVec3; 4]) -> Block {
         let passes = |(plane, _): &(Plane, [DVec3; 2])| corners.iter().all(|ray| plane.normal.dot(*ray) >= 0.0);
         if self.planes.iter().all(passes) {

@@ -2,10 +2,11 @@
 //!
 //! The cube has edges of 104.8 mm; poses were recorded 148 times a second. Each toss is simulated from the state that
 //! was measured at its first frame, with the mass, inertia, friction and restitution that the authors give for all of
-//! them. What is told is the mean over frames and tosses of the distance of the centres, in edges, and of the rotation
-//! between the attitudes, and how many tosses end on the face that was seen. A second run starts from the state measured
-//! three frames later, before anything has touched: how far both runs part is what the measured state is worth, below
-//! which no simulation of these data can be judged. Source: docs/REFERENCES.md, Pfrommer 2020; docs/experiment.md.
+//! them. What is told is the mean over frames and tosses of the distance of the centres, in edges, and of the
+//! rotation between the attitudes, and how many tosses end on the face that was seen. A second run starts from the
+//! state measured three frames later, before anything has touched: how far both runs part is what the measured state
+//! is worth, below which no simulation of these data can be judged. Source: docs/REFERENCES.md, Pfrommer 2020;
+//! docs/experiment.md.
 
 use super::bodies::GRAVITY;
 use super::{CaseResult, Context, Run};
