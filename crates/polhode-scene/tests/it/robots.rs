@@ -431,7 +431,7 @@ fn a_robot_of_given_files_is_that_of_the_files_on_disk() {
     }
     let files: &'static [(&'static str, &'static [u8])] =
         vec![("robot.xml", robot.as_bytes()), ("part.xml", part.as_bytes()), ("solid.obj", cube.as_bytes())].leak();
-    let of_disk = polhode_scene::load_with(&folder.path().join("robot.xml"), &[]).unwrap();
+    let of_disk = load_with(&folder.path().join("robot.xml"), &[]).unwrap();
     let text = polhode_scene::scene_text_of("robot.xml", files).unwrap();
     assert_eq!(text, of_disk.text());
     let given = polhode_scene::load_with_files("page", &text, files, &[]).unwrap();
