@@ -112,7 +112,7 @@ fn band(flat: &Flattened, view: &View<'_>, width: u32, [top, bottom]: [u32; 2]) 
     let mut blocks = Vec::new();
     for y in top..bottom {
         if (y - top).is_multiple_of(BLOCK) {
-            blocks = (0..width).step_by(BLOCK as usize).map(|left| view.block(left, y)).collect();
+            blocks = (0..width).step_by(BLOCK as usize).map(|left| view.block([left, y], BLOCK)).collect();
         }
         for x in 0..width {
             rgb.extend(view.encoding.srgb(view.pixel(&buffer, &blocks[(x / BLOCK) as usize], x, y)));
@@ -218,10 +218,10 @@ enum Shade {
 }
 
 impl View<'_> {
-    /// What the block with this corner sees of the ground.
-    fn block(&self, left: u32, top: u32) -> Block {
-        let last = BLOCK * SAMPLES - 1;
-        let (left, top) = (left * SAMPLES, top * SAMPLES);
+    /// What a block of so many pixels each way, from this corner, sees of the ground.
+    fn block(&self, corner: [u32; 2], pixels: u32) -> Block {
+        let last = pixels * SAMPLES - 1;
+        let [left, top] = corner.map(|at| at * SAMPLES);
         let corners = [(left, top), (left + last, top), (left, top + last), (left + last, top + last)];
         self.ground.block(self.projection.camera.eye, corners.map(|(x, y)| self.projection.ray(x, y)))
     }
@@ -234,8 +234,12 @@ impl View<'_> {
         let is_same = |seen: &Seen| {
             seen.paint == middle.paint && seen.normal.dot(middle.normal) >= SAME * middle.normal.length_squared()
         };
-        if !matches!(block, Block::Mixed) && all().all(|(u, v)| buffer.at(u as usize, v as usize).nearness <= 0.0) {
-            return self.behind_all(block, self.projection.ray(left + 1, top + 1));
+        if all().all(|(u, v)| buffer.at(u as usize, v as usize).nearness <= 0.0) {
+            // Where a block sees several things, one of its pixels may see one.
+            let own = if matches!(block, Block::Mixed) { self.block([x, y], 1) } else { *block };
+            if !matches!(own, Block::Mixed) {
+                return self.behind_all(&own, self.projection.ray(left + 1, top + 1));
+            }
         }
         let shade = if all().all(|(u, v)| is_same(buffer.at(u as usize, v as usize))) {
             let shade = self.shade(middle, left + 1, top + 1);

@@ -86,18 +86,16 @@ impl ShadowMap {
         let at = self.frame.placed(moved);
         let (x, y) = (at.x.floor() as i64, at.y.floor() as i64);
         let height = (at.nearness + 0.5 * BIAS_TEXELS * texel_m) as f32;
-        let mut lit = 0;
-        let mut count = 0;
-        for v in y - SOFTNESS..=y + SOFTNESS {
-            for u in x - SOFTNESS..=x + SOFTNESS {
-                let size = SIZE as i64;
-                let is_inside = (0..size).contains(&u) && (0..size).contains(&v);
-                let hidden = is_inside && self.heights[v as usize * SIZE + u as usize] > height;
-                lit += u32::from(!hidden);
-                count += 1;
-            }
-        }
-        f64::from(lit) / f64::from(count)
+        // A row of texels of which none is in the map throws no shadow.
+        let row = |v: i64| {
+            let columns = (x - SOFTNESS).max(0) as usize..((x + SOFTNESS + 1).max(0) as usize).min(SIZE);
+            let row = usize::try_from(v).ok().filter(|&v| v < SIZE).map(|v| v * SIZE);
+            row.and_then(|first| self.heights.get(first + columns.start..first + columns.end.max(columns.start)))
+        };
+        let rows = (y - SOFTNESS..=y + SOFTNESS).filter_map(row);
+        let hidden: usize = rows.map(|row| row.iter().filter(|&&other| other > height).count()).sum();
+        let count = (2 * SOFTNESS + 1) * (2 * SOFTNESS + 1);
+        (count - hidden as i64) as f64 / count as f64
     }
 }
 
