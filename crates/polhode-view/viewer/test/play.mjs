@@ -273,6 +273,12 @@ async function bad(browser) {
     await page.waitForFunction(() => window.polhode.self.scene.runs[0].bodies.length === 3);
     await page.waitForFunction(() => window.polhode.time() > 0.2);
   });
+  await check('a shipped scene is chosen from more than fifty', async () => {
+    const count = await page.evaluate(() => document.querySelectorAll('#examples option').length);
+    await page.selectOption('#examples', { index: 5 });
+    await page.waitForFunction(() => window.polhode.time() > 0.1 && window.polhode.self.scene.runs[0].name !== 'scene');
+    return count > 50 || count;
+  });
   await check('the licences of what is in the page can be read', async () => {
     await page.click('#help-button');
     await page.click('#licences');
