@@ -18,8 +18,8 @@ pub(crate) enum Fault {
 pub(crate) enum Files {
     /// On disk.
     Disk,
-    /// Given by name. Whole folders are not given: a path stands for the file whose name is its end, or whose end it
-    /// is.
+    /// Given by name. Whole folders are not given: a path stands for the one file whose name is its end, or whose end
+    /// it is; where several are, for none.
     Given(GivenFiles),
 }
 
@@ -45,7 +45,8 @@ impl Files {
         let Self::Given(files) = self else { return None };
         let exact = files.iter().find(|(name, _)| Path::new(name) == path);
         let similar = |name: &Path| path.ends_with(name) || name.ends_with(path);
-        let found = exact.or_else(|| files.iter().find(|(name, _)| similar(Path::new(name))));
+        let mut others = files.iter().filter(|(name, _)| similar(Path::new(name)));
+        let found = exact.or_else(|| others.next().filter(|_| others.next().is_none()));
         found.map(|(_, bytes)| *bytes)
     }
 }

@@ -439,4 +439,8 @@ fn a_robot_of_given_files_is_that_of_the_files_on_disk() {
     assert_eq!(given.examine_robots().len(), of_disk.examine_robots().len());
     let error = polhode_scene::scene_text_of("robot.xml", &files[..2]).unwrap_err().to_string();
     assert!(error.contains("solid.obj"), "{error}");
+    // Of two files that the name could mean none is taken.
+    let two: &'static [(&'static str, &'static [u8])] =
+        vec![files[0], files[1], ("a/meshes/solid.obj", files[2].1), ("b/meshes/solid.obj", files[2].1)].leak();
+    assert!(polhode_scene::scene_text_of("robot.xml", two).is_err());
 }
