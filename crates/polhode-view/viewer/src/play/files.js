@@ -95,6 +95,11 @@ async function takeStanding(playground, file) {
 async function takeAll(playground, list) {
   try {
     const { texts, named, stands } = await read(playground, list);
+    const twice = [...named, ...stands].find(({ name }, at, all) => all.findIndex((one) => one.name === name) < at);
+    if (twice) {
+      playground.notice(`Two files are called ${twice.name}, and the page knows no folders: give one another name, or use polhode play SCENE.`);
+      return;
+    }
     for (const { name, bytes } of [...named, ...stands]) await playground.addFile(name, bytes);
     const own = playground.editor.text;
     // Of robot files that include each other, the one that none names is the robot.
